@@ -1,0 +1,16 @@
+//! Display: how the panel shows it. Lecture 7.
+//!
+//! - **Takes** light, or colours, in runs.
+//! - **Gives** the bytes that the panel's controller expects, in its own order.
+//! - **Memory** a frame of the caller's.
+//! - **Cost** a run of one colour, or of one dithered shade, some instructions a byte; a run of
+//!   changing light about 20 instructions a pixel.
+//!
+//! ```text
+//!   light ──levels, 4×4 dither──▶ codes ──layout──▶ bytes of the frame ──▶ bus
+//! ```
+
+pub mod dither;
+pub mod frame;
+pub mod layout;
+pub mod level;

@@ -1,0 +1,88 @@
+//! **aquatint**: filled polygons, dithered light and shaded 3D for displays of 1 to 8 bits a pixel.
+//!
+//! A fixed-point graphics pipeline, from vertices to the bytes on the wire, for microcontrollers:
+//! `no_std`, no heap, no `unsafe`, no panics. It speaks [`embedded-graphics`](embedded_graphics):
+//! shapes are `Drawable`s on any `DrawTarget`, and its packed frames are `DrawTarget`s.
+//!
+//! # The map
+//!
+//! ```text
+//!  model        geometry       clip          raster        hidden                     display
+//!  mesh    ──▶  transform, ──▶ keep the  ──▶ lines,   ──▶  who is   ─────────────▶   light → levels →
+//!               project,       visible       polygons      in front                  bits → bytes
+//!               light          part          become spans
+//! ```
+//!
+//! | stage | takes | gives |
+//! |---|---|---|
+//! | [`model`] | arrays in flash | a checked mesh |
+//! | [`geometry`] | vertices, matrices, a lamp | screen points with depth; light |
+//! | [`clip`] | lines, polygons, points in clip space | what is inside |
+//! | [`raster`] | lines, polygons, triangles | spans |
+//! | [`hidden`] | fragments with depth | the nearest |
+//! | [`display`] | light or colours | packed bytes |
+//!
+//! Modules in the root are *words*, which every stage may use; stages never use each other. Only
+//! [`pipeline`] knows them all: it draws a mesh in one call. Every stage can be used alone.
+//!
+//! # Shapes on any display
+//!
+//! ```
+//! use aquatint::{FillStyle, Frame, Pages, Point2, Polygon};
+//! use embedded_graphics::{pixelcolor::BinaryColor, prelude::*};
+//!
+//! // A frame in the byte order of an SSD1306, 1 KiB.
+//! let mut frame = Frame::<BinaryColor, Pages, _>::with_array([0; 1024], 128, 64).unwrap();
+//!
+//! // Corners on sixteenths of a pixel, filled by pixel centres.
+//! let star = [(64, 2), (82, 60), (33, 24), (95, 24), (46, 60)].map(|(x, y)| Point2::corner(x, y));
+//! let contours = [&star[..]];
+//! let polygon = Polygon::new(&contours).unwrap();
+//! polygon.into_styled(FillStyle::new(BinaryColor::On)).draw(&mut frame)?;
+//!
+//! let bytes_for_the_bus: &[u8] = frame.bytes();
+//! # assert_eq!(bytes_for_the_bus.len(), 1024);
+//! # Ok::<(), core::convert::Infallible>(())
+//! ```
+
+#![no_std]
+#![forbid(unsafe_code)]
+#![deny(missing_docs)]
+
+mod colour;
+mod edge;
+mod matrix;
+mod num;
+mod outcode;
+mod space;
+mod span;
+mod style;
+mod target;
+pub mod vary;
+
+pub mod clip;
+pub mod display;
+pub mod geometry;
+pub mod hidden;
+pub mod model;
+pub mod pipeline;
+pub mod raster;
+
+pub use colour::Light;
+pub use display::{
+    dither::Dithered,
+    frame::{Frame, TooSmall},
+    layout::{Pages, Rows},
+    level::Levels,
+};
+pub use geometry::angle::Angle;
+pub use matrix::Matrix;
+pub use num::{Scalar, Subpixel};
+pub use outcode::Outcode;
+pub use raster::{bresenham::Line, polygon::Polygon, triangle::Triangle};
+pub use space::{
+    CLIP_LIMIT, Clip, GUARD_BAND, LEAST_W, Model, Point2, Point3, Point4, Rect, Vector3, View, World, twice_area,
+};
+pub use span::{Sink, SpanFn};
+pub use style::{FillStyle, Rule, StrokeStyle};
+pub use target::{Brush, Code, Four, Ink, OnDrawTarget, Solid, Target};

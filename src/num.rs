@@ -1,0 +1,147 @@
+//! Number words: the fixed-point types, and every rounding and narrowing that the crate does.
+//!
+//! This is the one file where `as` may lose bits, each time in a function whose name says how.
+//! Elsewhere numbers only widen.
+
+/// A coordinate or a matrix element in model, world, view and clip space: signed 16.16.
+pub type Scalar = fixed::types::I16F16;
+
+/// A coordinate on the screen in sixteenths of a pixel: signed 28.4.
+///
+/// Whole numbers are the corners of pixels, so the centre of pixel `(x, y)` is `(x + ½, y + ½)`.
+pub type Subpixel = fixed::types::I28F4;
+
+/// Sub-pixel steps in a pixel.
+pub(crate) const SUBPIXELS: i32 = 1 << Subpixel::FRAC_NBITS;
+
+/// Quotient rounded towards minus infinity, and the remainder, which is never negative.
+///
+/// Both are zero when `divisor` is not positive: a total function has no panic path.
+#[inline]
+pub(crate) const fn divide_floor(dividend: i64, divisor: i64) -> (i64, i64) {
+    if divisor <= 0 {
+        return (0, 0);
+    }
+    let (quotient, remainder) = (dividend / divisor, dividend % divisor);
+    if remainder < 0 { (quotient - 1, remainder + divisor) } else { (quotient, remainder) }
+}
+
+/// [`divide_floor`] in 32 bits, a third of the instructions on a core without a divider.
+#[inline]
+pub(crate) const fn divide_floor_i32(dividend: i32, divisor: i32) -> (i32, i32) {
+    if divisor <= 0 {
+        return (0, 0);
+    }
+    let (quotient, remainder) = (dividend / divisor, dividend % divisor);
+    if remainder < 0 { (quotient - 1, remainder + divisor) } else { (quotient, remainder) }
+}
+
+/// Quotient rounded to the nearest, ties up. Zero when `divisor` is not positive.
+#[inline]
+pub(crate) const fn divide_round(dividend: i64, divisor: i64) -> i64 {
+    divide_floor(dividend.saturating_add(divisor / 2), divisor).0
+}
+
+/// The low 32 bits: arithmetic modulo 2³² by intent.
+#[inline]
+#[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "modulo 2^32 by intent")]
+pub(crate) const fn low_u32(value: i64) -> u32 {
+    value as u32
+}
+
+/// The low 32 bits, read as a signed number.
+#[inline]
+#[expect(clippy::cast_possible_truncation, reason = "modulo 2^32 by intent")]
+pub(crate) const fn low_i32(value: i64) -> i32 {
+    value as i32
+}
+
+/// The same 32 bits, read as an unsigned number.
+#[inline]
+pub(crate) const fn bits(value: i32) -> u32 {
+    value.cast_unsigned()
+}
+
+/// The high half: the whole part of an unsigned 16.16.
+#[inline]
+pub(crate) const fn high_u16(value: u32) -> u16 {
+    (value >> 16) as u16
+}
+
+/// The nearest `i32`.
+#[inline]
+pub(crate) const fn saturate_i32(value: i64) -> i32 {
+    if value > i32::MAX as i64 {
+        i32::MAX
+    } else if value < i32::MIN as i64 {
+        i32::MIN
+    } else {
+        low_i32(value)
+    }
+}
+
+/// The nearest `u16`.
+#[inline]
+#[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "in range after the tests")]
+pub(crate) const fn saturate_u16(value: i64) -> u16 {
+    if value > u16::MAX as i64 {
+        u16::MAX
+    } else if value < 0 {
+        0
+    } else {
+        value as u16
+    }
+}
+
+/// The nearest `i32` to an unsigned size.
+#[inline]
+pub(crate) const fn size_i32(value: u32) -> i32 {
+    if value > i32::MAX.cast_unsigned() { i32::MAX } else { value.cast_signed() }
+}
+
+/// An index: negative numbers become zero, numbers beyond the address space its end.
+#[inline]
+pub(crate) const fn index(value: i32) -> usize {
+    if value < 0 {
+        0
+    } else if value.cast_unsigned() as u64 > usize::MAX as u64 {
+        usize::MAX
+    } else {
+        value.cast_unsigned() as usize
+    }
+}
+
+/// Bytes or elements: a product that does not fit becomes `usize::MAX`, which no buffer reaches.
+#[inline]
+#[expect(clippy::cast_possible_truncation, reason = "tested")]
+pub(crate) const fn count(value: u64) -> usize {
+    if value > usize::MAX as u64 { usize::MAX } else { value as usize }
+}
+
+/// The low byte.
+#[inline]
+#[expect(clippy::cast_possible_truncation, reason = "callers mask or shift first")]
+pub(crate) const fn low_u8(value: u32) -> u8 {
+    value as u8
+}
+
+/// The nearest `u32` to a sum that may have grown past it.
+#[inline]
+#[expect(clippy::cast_possible_truncation, reason = "tested")]
+pub(crate) const fn saturate_u32(value: u64) -> u32 {
+    if value > u32::MAX as u64 { u32::MAX } else { value as u32 }
+}
+
+/// The low 16 bits: arithmetic modulo 2¹⁶ by intent.
+#[inline]
+#[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "modulo 2^16 by intent")]
+pub(crate) const fn low_u16(value: i32) -> u16 {
+    value as u16
+}
+
+/// The low 32 bits of an index.
+#[inline]
+#[expect(clippy::cast_possible_truncation, reason = "modulo 2^32 by intent")]
+pub(crate) const fn low_index(value: usize) -> u32 {
+    value as u32
+}

@@ -1,0 +1,225 @@
+//! Where colours land: two verbs that frames, dithers and borrowed displays all understand.
+//!
+//! They mirror `fill_solid` and `fill_contiguous` of embedded-graphics, a row at a time: *fill a
+//! run with an ink* and *write a run of colours*. A packed [`Frame`](crate::Frame) does both a byte
+//! at a time; [`OnDrawTarget`] lends them to any display driver.
+
+use core::ops::Range;
+
+use embedded_graphics::{
+    Pixel,
+    draw_target::DrawTarget,
+    geometry::Point,
+    pixelcolor::{
+        PixelColor,
+        raw::{RawData, RawU1, RawU2, RawU4, RawU8},
+    },
+};
+
+use crate::{space::Rect, span::Sink};
+
+/// Takes runs of colours.
+pub trait Target {
+    /// What a pixel is given.
+    type Color: Copy;
+    /// What can go wrong; [`Infallible`](core::convert::Infallible) in memory.
+    type Error;
+
+    /// The pixels that exist. Whatever is asked for outside is not drawn.
+    fn bounds(&self) -> Rect;
+
+    /// Gives each pixel of a run the colour that `ink` has there.
+    ///
+    /// # Errors
+    /// What the display behind says.
+    fn fill_run(
+        &mut self,
+        row: i32,
+        columns: Range<i32>,
+        ink: &impl Ink<Color = Self::Color>,
+    ) -> Result<(), Self::Error>;
+
+    /// Writes one colour a pixel from the left; `None` leaves the pixel as it was.
+    ///
+    /// Ends with the run or with the colours, whichever is shorter.
+    ///
+    /// # Errors
+    /// What the display behind says.
+    fn write_run(
+        &mut self,
+        row: i32,
+        columns: Range<i32>,
+        colors: impl Iterator<Item = Option<Self::Color>>,
+    ) -> Result<(), Self::Error>;
+}
+
+/// A pattern that repeats every four columns: one colour, or one shade of a 4 × 4 dither.
+///
+/// Four columns are what keeps filling fast: at 1, 2, 4 and 8 bits a pixel they pack into four
+/// bytes or fewer, so a patterned run costs about what a plain one costs.
+pub trait Ink {
+    /// What a pixel is given.
+    type Color: Copy;
+
+    /// The colours of the columns 0, 1, 2 and 3 (and 4, 5 …) of a row, counted on the screen.
+    fn four(&self, row: i32) -> [Self::Color; 4];
+}
+
+/// The ink of one colour.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Solid<C>(pub C);
+
+impl<C: Copy> Ink for Solid<C> {
+    type Color = C;
+
+    fn four(&self, _row: i32) -> [C; 4] {
+        [self.0; 4]
+    }
+}
+
+/// The ink of four colours side by side, the same in every row.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Four<C>(pub [C; 4]);
+
+impl<C: Copy> Ink for Four<C> {
+    type Color = C;
+
+    fn four(&self, _row: i32) -> [C; 4] {
+        self.0
+    }
+}
+
+/// Consumes the spans of a shape and fills them with an ink.
+#[derive(Debug)]
+pub struct Brush<'t, T, I> {
+    target: &'t mut T,
+    ink: I,
+}
+
+impl<'t, T: Target, I: Ink<Color = T::Color>> Brush<'t, T, I> {
+    /// Paints on `target` with `ink`.
+    pub const fn new(target: &'t mut T, ink: I) -> Self {
+        Self { target, ink }
+    }
+}
+
+impl<T: Target, I: Ink<Color = T::Color>> Sink for Brush<'_, T, I> {
+    type Error = T::Error;
+
+    fn bounds(&self) -> Rect {
+        self.target.bounds()
+    }
+
+    fn span(&mut self, row: i32, columns: Range<i32>, (): ()) -> Result<(), T::Error> {
+        self.target.fill_run(row, columns, &self.ink)
+    }
+}
+
+/// Any embedded-graphics display as a [`Target`].
+///
+/// A run of one colour is one `fill_solid`, a run of a pattern one `fill_contiguous`; written
+/// colours go through `draw_iter`, because some of them may be absent.
+#[derive(Debug)]
+pub struct OnDrawTarget<'d, D>(pub &'d mut D);
+
+impl<D: DrawTarget> Target for OnDrawTarget<'_, D> {
+    type Color = D::Color;
+    type Error = D::Error;
+
+    fn bounds(&self) -> Rect {
+        self.0.bounding_box().into()
+    }
+
+    fn fill_run(&mut self, row: i32, columns: Range<i32>, ink: &impl Ink<Color = D::Color>) -> Result<(), D::Error> {
+        let Some(columns) = self.bounds().clip_run(row, columns) else { return Ok(()) };
+        let area = Rect::new(columns.start, row, columns.end, row.saturating_add(1)).into();
+        let four = ink.four(row);
+        if four == [four[0]; 4] {
+            self.0.fill_solid(&area, four[0])
+        } else {
+            self.0.fill_contiguous(&area, columns.map(|column| phase(&four, column)))
+        }
+    }
+
+    fn write_run(
+        &mut self,
+        row: i32,
+        columns: Range<i32>,
+        colors: impl Iterator<Item = Option<D::Color>>,
+    ) -> Result<(), D::Error> {
+        let bounds = self.bounds();
+        let pixel = |(column, color): (i32, Option<D::Color>)| {
+            let inside = bounds.clip_run(row, column..column.saturating_add(1)).is_some();
+            color.filter(|_| inside).map(|color| Pixel(Point::new(column, row), color))
+        };
+        self.0.draw_iter(columns.zip(colors).filter_map(pixel))
+    }
+}
+
+/// The one of four colours that a column has.
+#[inline]
+pub(crate) fn phase<C: Copy>(four: &[C; 4], column: i32) -> C {
+    let [a, b, c, d] = *four;
+    match column & 3 {
+        0 => a,
+        1 => b,
+        2 => c,
+        _ => d,
+    }
+}
+
+/// A colour that is stored as a code of 1, 2, 4 or 8 bits: every such colour of embedded-graphics.
+pub trait Code: PixelColor {
+    /// Bits a pixel.
+    const BITS: u32;
+
+    /// The colour of a code; bits above [`BITS`](Self::BITS) are ignored.
+    fn from_code(code: u8) -> Self;
+
+    /// The code of this colour.
+    fn code(self) -> u8;
+}
+
+impl<C> Code for C
+where
+    C: PixelColor + From<C::Raw> + Into<C::Raw>,
+    C::Raw: RawCode,
+{
+    const BITS: u32 = <C::Raw as RawCode>::BITS;
+
+    fn from_code(code: u8) -> Self {
+        C::Raw::from_u32(u32::from(code)).into()
+    }
+
+    fn code(self) -> u8 {
+        self.into().byte()
+    }
+}
+
+/// embedded-graphics' raw data types of up to eight bits.
+pub trait RawCode: RawData + sealed::Sealed {
+    /// Bits a pixel.
+    const BITS: u32;
+
+    /// The bits, in the low end of a byte.
+    fn byte(self) -> u8;
+}
+
+mod sealed {
+    pub trait Sealed {}
+}
+
+macro_rules! raw_code {
+    ($($raw:ty: $bits:literal),*) => { $(
+        impl sealed::Sealed for $raw {}
+        impl RawCode for $raw {
+            const BITS: u32 = $bits;
+
+            fn byte(self) -> u8 {
+                self.into_inner()
+            }
+        }
+    )* };
+}
+
+raw_code!(RawU1: 1, RawU2: 2, RawU4: 4, RawU8: 8);
