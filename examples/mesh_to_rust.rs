@@ -7,6 +7,7 @@
 #[path = "demo/obj.rs"]
 mod obj;
 
+use aquatint::model::mesh::Mesh;
 use std::{fmt::Debug, path::PathBuf, process::ExitCode};
 
 fn main() -> ExitCode {
@@ -15,10 +16,14 @@ fn main() -> ExitCode {
         eprintln!("usage: mesh_to_rust MODEL.obj > MESH.rs");
         return ExitCode::from(2);
     };
-    match obj::load(path) {
-        Ok(mesh) => {
-            print!("{}", source(&mesh));
-            eprintln!("{} vertices, {} triangles", mesh.positions.len(), mesh.triangles.len());
+    let written = obj::load(path).and_then(|owned| {
+        let mesh = owned.borrow().map_err(|e| format!("{e:?}"))?;
+        print!("{}", source(&mesh));
+        Ok(format!("{} vertices, {} triangles", mesh.positions().len(), mesh.triangles().len()))
+    });
+    match written {
+        Ok(summary) => {
+            eprintln!("{summary}");
             ExitCode::SUCCESS
         }
         Err(error) => {
@@ -29,12 +34,12 @@ fn main() -> ExitCode {
 }
 
 /// An expression of type `Mesh<'static>`, checked by the compiler that includes it.
-fn source(mesh: &obj::OwnedMesh) -> String {
+fn source(mesh: &Mesh) -> String {
     format!(
         "match aquatint::model::mesh::Mesh::new(\n&[{}],\n&[{}],\n&[{}],\n) {{\n    Ok(mesh) => mesh,\n    Err(_) => panic!(),\n}}\n",
-        rows(&mesh.positions),
-        rows(&mesh.normals),
-        rows(&mesh.triangles),
+        rows(mesh.positions()),
+        rows(mesh.normals()),
+        rows(mesh.triangles()),
     )
 }
 

@@ -209,7 +209,9 @@ fn a_mesh_covers_each_pixel_once_along_either_diagonal() {
             for i in 0..4 {
                 let [a, b, c, d] = [grid[j][i], grid[j][i + 1], grid[j + 1][i + 1], grid[j + 1][i]];
                 let halves = if random.below(2) == 0 { [[a, b, c], [a, c, d]] } else { [[a, b, d], [d, b, c]] };
-                halves.map(|half| fill_triangle(half, &mut pixels));
+                for half in halves {
+                    fill_triangle(half, &mut pixels);
+                }
             }
         }
         assert!(pixels.places().all(|(x, y)| pixels.count(x, y) == 1), "\n{}", pixels.picture());

@@ -9,7 +9,10 @@ use aquatint::{
 };
 use aquatint_simulator::{Panel, Zoom};
 use embedded_graphics::{
-    mono_font::{MonoTextStyle, ascii::FONT_5X8},
+    mono_font::{
+        MonoFont, MonoTextStyle,
+        ascii::{FONT_6X10, FONT_8X13, FONT_10X20},
+    },
     pixelcolor::{BinaryColor, Gray4},
     prelude::*,
     text::{Alignment, Baseline, Text, TextStyleBuilder},
@@ -36,20 +39,49 @@ pub struct Screen {
     draw: fn(&mut Self, &Content<'_>) -> Result<(), String>,
 }
 
-/// Where things go, and in which light and ink.
+/// Where things go.
 #[derive(Clone, Copy)]
 struct Place {
     mesh: Rect,
-    background: Light,
     photo: Rect,
+    /// A strip that runs from black to white; may be empty.
+    ramp: Rect,
+    /// Centre of the caption's upper border.
     caption: Point,
-    /// The code of the caption: the last one on a panel that glows, 0 for ink on paper.
-    ink: u8,
+    font: &'static MonoFont<'static>,
+    /// Whether the panel is white where nothing is drawn, as paper.
+    on_paper: bool,
 }
+
+const OLED: Place = Place {
+    mesh: Rect::new(0, 0, 66, 64),
+    photo: Rect::new(70, 0, 126, 53),
+    ramp: Rect::new(0, 0, 0, 0),
+    caption: Point::new(98, 55),
+    font: &FONT_6X10,
+    on_paper: false,
+};
+
+const MEMORY_LCD: Place = Place {
+    mesh: Rect::new(14, 14, 194, 194),
+    photo: Rect::new(206, 14, 386, 194),
+    ramp: Rect::new(206, 206, 386, 226),
+    caption: Point::new(104, 206),
+    font: &FONT_10X20,
+    on_paper: true,
+};
+
+const GREY_OLED: Place = Place {
+    mesh: Rect::new(0, 0, 84, 64),
+    photo: Rect::new(92, 0, 172, 64),
+    ramp: Rect::new(182, 42, 250, 58),
+    caption: Point::new(216, 14),
+    font: &FONT_8X13,
+    on_paper: false,
+};
 
 /// The three panels of the demo.
 pub fn all(photo: &Photo) -> Vec<Screen> {
-    let (oled, memory_lcd, grey) = (Panel::SSD1306_128X64, Panel::SHARP_400X240, Panel::SSD1322_256X64);
     let screen = |panel: Panel, file_name, place: Place| Screen {
         panel,
         zoom: Zoom { scale: 3, gap: 1 },
@@ -59,47 +91,14 @@ pub fn all(photo: &Photo) -> Vec<Screen> {
         bytes: vec![0; panel.byte_len()],
         draw: Screen::draw_as::<BinaryColor, Pages>,
     };
+    let oled = screen(Panel::SSD1306_128X64, "oled-128x64", OLED);
+    let memory_lcd = screen(Panel::SHARP_400X240, "memory-lcd-400x240", MEMORY_LCD);
+    let grey_oled = screen(Panel::SSD1322_256X64, "grey-oled-256x64", GREY_OLED);
     vec![
-        screen(
-            oled,
-            "oled-128x64",
-            Place {
-                mesh: Rect::new(0, 0, 64, 64),
-                background: Light::BLACK,
-                photo: Rect::new(68, 0, 124, 54),
-                caption: Point::new(96, 56),
-                ink: 1,
-            },
-        ),
-        Screen {
-            zoom: Zoom { scale: 2, gap: 0 },
-            draw: Screen::draw_as::<BinaryColor, Rows>,
-            ..screen(
-                memory_lcd,
-                "memory-lcd-400x240",
-                Place {
-                    mesh: Rect::new(0, 0, 220, 240),
-                    background: Light(58_000),
-                    photo: Rect::new(220, 20, 390, 210),
-                    caption: Point::new(305, 220),
-                    ink: 0,
-                },
-            )
-        },
-        Screen {
-            draw: Screen::draw_as::<Gray4, Rows>,
-            ..screen(
-                grey,
-                "grey-oled-256x64",
-                Place {
-                    mesh: Rect::new(0, 0, 84, 64),
-                    background: Light::BLACK,
-                    photo: Rect::new(88, 0, 168, 64),
-                    caption: Point::new(214, 28),
-                    ink: 15,
-                },
-            )
-        },
+        oled,
+        // A gap would lay a light grid over black ink.
+        Screen { zoom: Zoom { scale: 2, gap: 0 }, draw: Screen::draw_as::<BinaryColor, Rows>, ..memory_lcd },
+        Screen { draw: Screen::draw_as::<Gray4, Rows>, ..grey_oled },
     ]
 }
 
@@ -114,30 +113,35 @@ impl Screen {
         let (width, height) = (self.panel.width, self.panel.height);
         let mut frame = Frame::<C, L, _>::new(&mut self.bytes[..], width, height).map_err(|e| format!("{e:?}"))?;
         // Nothing that is drawn in memory can fail.
-        let Ok(()) = frame.clear(C::from_code(0));
+        let (place, white) = (self.place, C::from_code(u8::MAX));
+        let (paper, ink) = if place.on_paper { (white, C::from_code(0)) } else { (C::from_code(0), white) };
+        let Ok(()) = frame.clear(paper);
         let levels = if C::BITS == 1 { Levels::ONE_BIT } else { Levels::LINEAR_16 };
         let mut light = Dithered::new(&mut frame, levels).with_method(content.method);
-        fill(&mut light, Rect::new(0, 0, i32::MAX, i32::MAX), self.place.background);
-        show_photo(&mut light, self.place.photo, &self.photo);
-        spin(&mut light, self.place.mesh, content)?;
-        let style = MonoTextStyle::new(&FONT_5X8, C::from_code(self.place.ink));
+        show_photo(&mut light, place.photo, &self.photo);
+        show_ramp(&mut light, place.ramp);
+        spin(&mut light, place.mesh, content)?;
+        let style = MonoTextStyle::new(place.font, ink);
         let centred = TextStyleBuilder::new().alignment(Alignment::Center).baseline(Baseline::Top).build();
-        let Ok(_) = Text::with_text_style(content.caption, self.place.caption, style, centred).draw(&mut frame);
+        let Ok(_) = Text::with_text_style(content.caption, place.caption, style, centred).draw(&mut frame);
         Ok(())
     }
 }
 
 type NoError = core::convert::Infallible;
 
-fn fill(target: &mut impl Target<Color = Light, Error = NoError>, area: Rect, light: Light) {
-    for row in area.intersection(target.bounds()).rows() {
-        let Ok(()) = target.fill_run(row, area.columns(), &Solid(light));
-    }
-}
-
 fn show_photo(target: &mut impl Target<Color = Light, Error = NoError>, place: Rect, photo: &Photo) {
     for (row, lights) in place.rows().zip(photo.rows()) {
         let Ok(()) = target.write_run(row, place.columns(), lights.iter().copied().map(Some));
+    }
+}
+
+/// Black to white, in equal steps of light.
+fn show_ramp(target: &mut impl Target<Color = Light, Error = NoError>, place: Rect) {
+    let steps = (place.width().max(2) - 1) as usize;
+    let light = |at: usize| u16::try_from(at * usize::from(u16::MAX) / steps).unwrap_or(u16::MAX);
+    for row in place.rows() {
+        let Ok(()) = target.write_run(row, place.columns(), (0..).map(|at| Some(Light(light(at)))));
     }
 }
 
@@ -146,6 +150,9 @@ fn spin(
     place: Rect,
     content: &Content<'_>,
 ) -> Result<(), String> {
+    for row in place.rows() {
+        let Ok(()) = target.fill_run(row, place.columns(), &Solid(Light::BLACK));
+    }
     let mut vertices = vec![MeshVertex::default(); content.mesh.positions().len()];
     let mut depths = vec![0; place.width() as usize * place.height() as usize];
     let mut depth = DepthBuffer::new(&mut depths, place).map_err(|e| format!("{e:?}"))?;
