@@ -8,7 +8,7 @@
 mod obj;
 
 use aquatint::model::mesh::Mesh;
-use std::{fmt::Debug, path::PathBuf, process::ExitCode};
+use std::{fmt::Debug, io::Write, path::PathBuf, process::ExitCode};
 
 fn main() -> ExitCode {
     let arguments: Vec<_> = std::env::args_os().skip(1).map(PathBuf::from).collect();
@@ -18,7 +18,7 @@ fn main() -> ExitCode {
     };
     let written = obj::load(path).and_then(|owned| {
         let mesh = owned.borrow().map_err(|e| format!("{e:?}"))?;
-        print!("{}", source(&mesh));
+        std::io::stdout().write_all(source(&mesh).as_bytes()).map_err(|e| e.to_string())?;
         Ok(format!("{} vertices, {} triangles", mesh.positions().len(), mesh.triangles().len()))
     });
     match written {

@@ -51,6 +51,7 @@
 
 mod colour;
 mod edge;
+mod error;
 mod matrix;
 mod num;
 mod outcode;
@@ -75,6 +76,7 @@ pub use display::{
     layout::{Pages, Rows},
     level::Levels,
 };
+pub use error::OutOfRange;
 pub use geometry::angle::Angle;
 pub use matrix::Matrix;
 pub use num::{Scalar, Subpixel};
@@ -86,3 +88,8 @@ pub use space::{
 pub use span::{Sink, SpanFn};
 pub use style::{FillStyle, Rule, StrokeStyle};
 pub use target::{Brush, Code, Four, Ink, OnDrawTarget, Solid, Target};
+
+/// Compiles what the README shows.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+pub struct Readme;

@@ -7,7 +7,7 @@
 //!
 //! The only module that knows more than one stage. Each function here is one arrow.
 
-use core::ops::Range;
+use core::{error::Error, fmt, ops::Range};
 
 use heapless::vec::Vec;
 
@@ -17,10 +17,11 @@ use crate::{
         volume::{self, Plane},
     },
     colour::Light,
+    error::OutOfRange,
     geometry::{
         face::is_front,
         light::Lamp,
-        transform::{MeshTransform, OutOfRange},
+        transform::MeshTransform,
         viewport::{ScreenPoint, Viewport},
     },
     hidden::depth::{DepthBuffer, is_nearer},
@@ -87,6 +88,22 @@ pub enum DrawError<E> {
     OutOfRange,
     /// The target failed while drawing.
     Target(E),
+}
+
+impl<E: fmt::Display> fmt::Display for DrawError<E> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::TooFewVertices { needed } => write!(f, "{needed} vertices are needed"),
+            Self::OutOfRange => OutOfRange.fmt(f),
+            Self::Target(error) => error.fmt(f),
+        }
+    }
+}
+
+impl<E: Error + 'static> Error for DrawError<E> {
+    fn source(&self) -> Option<&(dyn Error + 'static)> {
+        if let Self::Target(error) = self { Some(error) } else { None }
+    }
 }
 
 /// Draws a mesh: lit at its vertices, Gouraud shaded, hidden surfaces removed by depth.

@@ -38,7 +38,8 @@ pub trait Sink<P = ()> {
 /// use aquatint::{Rect, Sink, SpanFn};
 ///
 /// let mut pixels = 0;
-/// let mut count = SpanFn::new(Rect::new(0, 0, 8, 8), |_row, columns, ()| pixels += columns.len());
+/// let window = Rect::new(0, 0, 8, 8);
+/// let mut count = SpanFn::new(window, |_row, columns: core::ops::Range<i32>, ()| pixels += columns.len());
 /// count.span(3, 1..5, ()).unwrap();
 /// assert_eq!(pixels, 4);
 /// ```

@@ -1,7 +1,7 @@
 //! The live window: drag to turn, keys to change panel, dithering and model.
 
 use aquatint::{Angle, display::dither::Method, model::mesh::Mesh};
-use aquatint_simulator::{Event, Key, Picture, Window};
+use aquatint_simulator::{Event, Key, Picture, Window, Zoom};
 
 use crate::{
     record::picture,
@@ -37,7 +37,9 @@ pub fn run(screens: &mut [Screen], meshes: &[Mesh<'_>], caption: &str) -> Result
         }
         let placement = scene::turned(view.around, view.down);
         let content = Content { mesh: meshes[view.mesh], placement, method: view.method, caption };
-        let shown = picture(&mut screens[view.screen], &content)?;
+        let screen = &mut screens[view.screen];
+        let zoom = Zoom { scale: 800 / screen.panel.width, ..screen.zoom };
+        let shown = picture(screen, &content, zoom)?;
         window.show(&Picture::above(&[shown], 16, [36, 38, 42])).map_err(|e| e.to_string())?;
     }
     Ok(())

@@ -13,10 +13,14 @@ mod scene;
 mod screens;
 mod torus;
 
-use std::{io::Cursor, path::PathBuf, process::ExitCode};
+use std::{
+    io::{Cursor, Write},
+    path::PathBuf,
+    process::ExitCode,
+};
 
 use aquatint::{Angle, display::dither::Method, model::mesh::Mesh};
-use aquatint_simulator::{braille, display_available};
+use aquatint_simulator::{WindowError, braille, display_available};
 use clap::Parser;
 
 /// Draws a spinning mesh and a dithered photograph on three simulated panels.
@@ -53,7 +57,10 @@ fn main() -> ExitCode {
 }
 
 fn run(options: &Options) -> Result<(), String> {
-    // Everything that may be refused is read before anything is written.
+    // Everything that may be refused is looked at before anything is written.
+    if options.window && !display_available() {
+        return Err(WindowError::NoDisplay.to_string());
+    }
     let own = options.model.as_ref().map(|path| obj::load(path).map_err(|e| format!("{} {e}", path.display())));
     let (own, torus) = (own.transpose()?, torus::torus()?);
     let own = own.as_ref().map(|mesh| mesh.borrow().map_err(|e| format!("{e:?}"))).transpose()?;
@@ -76,10 +83,11 @@ fn run(options: &Options) -> Result<(), String> {
     let oled = &mut screens[0];
     let panel = oled.panel;
     let codes = panel.codes(oled.draw(&still)?).map_err(|e| e.to_string())?;
-    print!("{}", braille(&codes, 1));
-    for path in record::record(&mut screens, &content, options.frames, &options.out)? {
-        println!("wrote {}", path.display());
-    }
+    let written = record::record(&mut screens, &content, options.frames, &options.out)?;
+    let report = written.iter().map(|path| format!("wrote {}\n", path.display()));
+    let text = braille(&codes, 1) + &report.collect::<String>();
+    // Not `print!`, which panics when whoever read it has gone.
+    std::io::stdout().write_all(text.as_bytes()).map_err(|e| e.to_string())?;
     if options.window || (display_available() && !options.no_window) {
         live::run(&mut screens, &meshes, caption)?;
     }

@@ -1,6 +1,6 @@
 //! Wavefront OBJ files to the quantised arrays of a mesh.
 
-use std::{fs::File, io::BufReader, path::Path};
+use std::path::Path;
 
 use aquatint::model::mesh::{Mesh, MeshError};
 
@@ -39,11 +39,18 @@ impl OwnedMesh {
     }
 }
 
+/// Longer files are refused rather than held in memory; 65536 vertices take some 5 MB.
+const MOST_BYTES: u64 = 1 << 26;
+
 /// Reads a file; what went wrong is a line that a person can act on.
 pub fn load(path: &Path) -> Result<OwnedMesh, String> {
-    let file = File::open(path).map_err(|e| e.to_string())?;
+    let file = std::fs::metadata(path).map_err(|e| e.to_string())?;
+    if file.len() > MOST_BYTES {
+        return Err(format!("has {} bytes; {MOST_BYTES} are the limit", file.len()));
+    }
+    let text = std::fs::read(path).map_err(|e| e.to_string())?;
     let options = tobj::LoadOptions { triangulate: true, single_index: true, ..Default::default() };
-    let (models, _) = tobj::load_obj_buf(&mut BufReader::new(file), &options, |_| Ok(Default::default()))
+    let (models, _) = tobj::load_obj_buf(&mut &text[..], &options, |_| Ok(Default::default()))
         .map_err(|e| format!("is not a Wavefront OBJ file: {e}"))?;
     let (mut positions, mut normals, mut triangles) = (vec![], vec![], vec![]);
     for model in &models {

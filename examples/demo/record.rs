@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use aquatint_simulator::{Animation, Picture, save_png};
+use aquatint_simulator::{Animation, Picture, Zoom, save_png};
 use indicatif::{ProgressBar, ProgressStyle};
 
 use crate::{
@@ -48,12 +48,12 @@ pub fn at<'a>(content: &Content<'a>, frame: u16) -> Content<'a> {
 }
 
 fn panels(screens: &mut [Screen], content: &Content<'_>) -> Result<Vec<Picture>, String> {
-    screens.iter_mut().map(|screen| picture(screen, content)).collect()
+    screens.iter_mut().map(|screen| picture(screen, content, screen.zoom)).collect()
 }
 
 /// What a person sees on a panel.
-pub fn picture(screen: &mut Screen, content: &Content<'_>) -> Result<Picture, String> {
-    let (panel, zoom) = (screen.panel, screen.zoom);
+pub fn picture(screen: &mut Screen, content: &Content<'_>, zoom: Zoom) -> Result<Picture, String> {
+    let panel = screen.panel;
     panel.render(screen.draw(content)?, zoom).map_err(text)
 }
 

@@ -20,8 +20,8 @@ const TURN_A_FRAME: u16 = 1024;
 /// A camera three units away from a mesh of radius 1, filling `area`; `None` for an empty one.
 pub fn camera(area: Rect) -> Option<Camera> {
     let aspect = Scalar::checked_from_num(area.width())?.checked_div(Scalar::checked_from_num(area.height())?)?;
-    // A little less than the unit sphere: no mesh of the demo reaches its borders while it turns.
-    let field_of_view = Angle::from_degrees(if aspect < 1 { 40.0 } else { 33.0 });
+    // The unit sphere touches the upper and lower borders.
+    let field_of_view = Angle::from_degrees(if aspect < 1 { 47.0 } else { 39.0 });
     let lens = Lens { field_of_view, aspect, near: Scalar::ONE, far: Scalar::from_num(8) };
     Some(Camera {
         view: Matrix::<World, View>::translation(Scalar::ZERO, Scalar::ZERO, Scalar::from_num(-3)),

@@ -14,11 +14,16 @@
 
 use heapless::vec::VecView;
 
-use crate::num::{divide_floor, low_i32, saturate_u16};
+use crate::{
+    error::describe,
+    num::{divide_floor, low_i32, saturate_u16},
+};
 
 /// No room for a further vertex; the output is cut short.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Full;
+
+describe! { Full, Self => "no room for a further vertex"; }
 
 /// A vertex that can be made between two others.
 pub trait Cut: Copy {

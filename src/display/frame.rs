@@ -12,6 +12,7 @@ use embedded_graphics::{
 
 use crate::{
     display::layout::Layout,
+    error::describe,
     num::{count, index, low_u8},
     space::Rect,
     target::{Code, Ink, Target},
@@ -51,6 +52,8 @@ pub struct TooSmall {
     /// How many are needed.
     pub needed: usize,
 }
+
+describe! { TooSmall, Self { needed } => "{needed} bytes are needed"; }
 
 impl<C: Code, L: Layout<C>> Frame<C, L, ()> {
     /// How many bytes a picture of this size needs; `usize::MAX` where no memory could hold it.
@@ -244,10 +247,12 @@ impl<C: Code, L: Layout<C>, B: AsRef<[u8]>> GetPixel for Frame<C, L, B> {
 
     fn pixel(&self, point: Point) -> Option<C> {
         let bounds = Rect::of_size(self.size());
-        let inside = bounds.columns().contains(&point.x) && bounds.rows().contains(&point.y);
+        if !(bounds.columns().contains(&point.x) && bounds.rows().contains(&point.y)) {
+            return None;
+        }
         let stride = Frame::<C, L, ()>::stride(self.width);
         let start = index(point.y) / L::ROWS_PER_LINE as usize * stride;
-        let line = self.bytes.as_ref().get(start..start + stride).filter(|_| inside)?;
+        let line = self.bytes.as_ref().get(start..start + stride)?;
         let mask = 1 << (point.y.cast_unsigned() % L::ROWS_PER_LINE);
         L::read(line, index(point.x), mask).map(C::from_code)
     }

@@ -4,7 +4,7 @@
 //! depends on the controller's grey table. A dither that knows it mixes two neighbouring *lights*
 //! in the right proportion; one that does not is wrong by more than any dither can repair.
 
-use crate::colour::Light;
+use crate::{colour::Light, error::describe};
 
 /// The light of each code of a panel, in rising order.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -15,6 +15,8 @@ pub struct Levels<'a> {
 /// The lights are not 2 to 256 in strictly rising order.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct NotRising;
+
+describe! { NotRising, Self => "the lights are not 2 to 256 in rising order"; }
 
 /// Two neighbouring levels.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

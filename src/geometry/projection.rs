@@ -1,6 +1,7 @@
 //! Projection: the pyramid that the camera sees becomes the cube −w ≤ x, y, z ≤ w. Lecture 2.2.2.
 
 use crate::{
+    error::describe,
     geometry::angle::Angle,
     matrix::Matrix,
     num::{Scalar, divide_round, saturate_i32},
@@ -16,6 +17,12 @@ pub enum ProjectionError {
     Aspect,
     /// Not ⅛ ≤ near < far ≤ 4096.
     Range,
+}
+
+describe! { ProjectionError,
+    Self::FieldOfView => "the field of view is not between 0 and 180 degrees";
+    Self::Aspect => "the aspect ratio is not positive";
+    Self::Range => "not 1/8 <= near < far <= 4096";
 }
 
 /// How wide and how deep the camera sees.

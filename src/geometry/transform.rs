@@ -1,6 +1,7 @@
 //! Vertex transforms: turning, moving, scaling, looking. Lecture 2.2.2.
 
 use crate::{
+    error::OutOfRange,
     geometry::angle::Angle,
     matrix::Matrix,
     num::{Scalar, divide_round, low_i32, saturate_i32},
@@ -87,15 +88,11 @@ pub struct MeshTransform {
     rows: [[Scalar; 4]; 4],
 }
 
-/// The matrix takes a vertex of some mesh out of the range in which clipping is exact: ±4096.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct OutOfRange;
-
 impl MeshTransform {
     /// Checks once that no mesh place, whatever its 16-bit coordinates, can leave the range.
     ///
     /// # Errors
-    /// [`OutOfRange`]: some vertex might. Move the object nearer or scale it down.
+    /// [`OutOfRange`]: some vertex might, beyond ±4096. Move the object nearer or scale it down.
     pub fn new(matrix: &Matrix<Model, Clip>) -> Result<Self, OutOfRange> {
         for row in matrix.rows() {
             let [x, y, z, w] = row.map(|v| i64::from(v.to_bits().unsigned_abs()));

@@ -1,6 +1,7 @@
 //! Perspective divide and viewport: from clip space to pixels. Lecture 2.2.2 and 2.3.4.
 
 use crate::{
+    error::describe,
     num::{low_i32, saturate_u16},
     space::{Clip, LEAST_W, Point2, Point4, Rect},
 };
@@ -23,6 +24,8 @@ pub struct Viewport {
 /// The viewport has no pixels, or reaches more than 4096 pixels from the origin.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct BadViewport;
+
+describe! { BadViewport, Self => "the viewport is empty or reaches beyond 4096 pixels"; }
 
 impl Viewport {
     /// Lets the view fill `rect`.

@@ -3,6 +3,7 @@
 use core::ops::Range;
 
 use crate::{
+    error::describe,
     num::{count, index},
     space::Rect,
 };
@@ -23,6 +24,8 @@ pub struct TooFewDepths {
     /// How many are needed.
     pub needed: usize,
 }
+
+describe! { TooFewDepths, Self { needed } => "{needed} depths are needed"; }
 
 impl<'b> DepthBuffer<'b> {
     /// A buffer for the pixels of `window`, all at the farthest.

@@ -1,5 +1,7 @@
 //! Indexed triangle meshes, quantised so that a thousand triangles take 15 kB of flash.
 
+use crate::error::describe;
+
 /// A mesh: vertices with a place and a normal, and triangles that name three of them.
 ///
 /// Places are 2.14 fixed point: 16384 is 1.0, the range is −2 to 2 − 2⁻¹⁴. Normals have a length of
@@ -38,6 +40,11 @@ pub enum MeshError {
         /// The triangle, counted from 0.
         triangle: usize,
     },
+}
+
+describe! { MeshError,
+    Self::NormalCount => "there is not one normal for each position";
+    Self::NoSuchVertex { triangle } => "triangle {triangle} names a vertex that does not exist";
 }
 
 impl<'a> Mesh<'a> {

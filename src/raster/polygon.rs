@@ -28,6 +28,7 @@ use heapless::vec::{Vec, VecView};
 
 use crate::{
     edge::{Edge, LIMIT, first_row},
+    error::OutOfRange,
     space::{Point2, Rect},
     span::Sink,
     style::{FillStyle, Rule},
@@ -61,10 +62,6 @@ pub struct Polygon<'a> {
     contours: &'a [&'a [Point2]],
 }
 
-/// A vertex is 4,194,304 pixels or more from the origin.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct OutOfRange;
-
 /// An edge that crosses the present row.
 #[derive(Clone, Copy, Debug)]
 pub struct ActiveEdge {
@@ -77,7 +74,7 @@ impl<'a> Polygon<'a> {
     /// Borrows and checks contours. Contours of fewer than three vertices hold no pixel.
     ///
     /// # Errors
-    /// [`OutOfRange`], before anything is drawn.
+    /// [`OutOfRange`] when a vertex is 4,194,304 pixels or more from the origin.
     pub fn new(contours: &'a [&'a [Point2]]) -> Result<Self, OutOfRange> {
         let in_range = contours.iter().all(|contour| contour.iter().all(|vertex| vertex.within(LIMIT)));
         if in_range { Ok(Self { contours }) } else { Err(OutOfRange) }

@@ -15,6 +15,7 @@ use core::ops::Range;
 
 use crate::{
     edge::{Edge, first_row},
+    error::OutOfRange,
     space::{Rect, twice_area},
     span::Sink,
     vary::{LIMIT, Plane, Ramp, Vertex},
@@ -28,15 +29,11 @@ pub struct Triangle<const N: usize> {
     middle_is_right: bool,
 }
 
-/// A corner is 65,536 pixels or more from the origin.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct OutOfRange;
-
 impl<const N: usize> Triangle<N> {
     /// A triangle, its corners in any order. One without area holds no pixel.
     ///
     /// # Errors
-    /// [`OutOfRange`], before anything is drawn.
+    /// [`OutOfRange`] when a corner is 65,536 pixels or more from the origin.
     pub fn new(corners: [Vertex<N>; 3]) -> Result<Self, OutOfRange> {
         if !corners.iter().all(|corner| corner.position.within(LIMIT)) {
             return Err(OutOfRange);

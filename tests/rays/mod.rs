@@ -11,6 +11,14 @@ pub struct Face {
     light: Light,
 }
 
+/// What a ray tells.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Seen {
+    Nothing,
+    Face(Light),
+    Unsure,
+}
+
 /// The faces of a mesh whose normals are the same in all corners of a face.
 pub fn faces(instance: &Instance, camera: &Camera) -> Vec<Face> {
     let lamp = camera.lamp.in_model_space(&instance.placement);
@@ -27,15 +35,14 @@ pub fn faces(instance: &Instance, camera: &Camera) -> Vec<Face> {
     instance.mesh.triangles().iter().map(face).collect()
 }
 
-/// What a pixel shows: the light of the nearest front face, or nothing. `None` when it is too near to
-/// say: rays an eighth of a pixel apart do not agree, or two faces are almost at the same depth.
-pub fn seen(faces: &[Face], camera: &Camera, (x, y): (i32, i32)) -> Option<Option<Light>> {
+/// What a pixel shows. Unsure when rays an eighth of a pixel apart do not agree.
+pub fn seen(faces: &[Face], camera: &Camera, (x, y): (i32, i32)) -> Seen {
     let (x, y) = (f64::from(x) + 0.5, f64::from(y) + 0.5);
     let near = 0.125;
     let samples = [(0.0, 0.0), (-near, -near), (near, -near), (-near, near), (near, near)];
     let mut hits = samples.iter().map(|(dx, dy)| hit(faces, ray(camera, x + dx, y + dy)));
-    let first = hits.next()??;
-    hits.all(|other| other == Some(first)).then_some(first)
+    let first = hits.next().unwrap_or(Seen::Unsure);
+    if hits.all(|other| other == first) { first } else { Seen::Unsure }
 }
 
 /// The direction through a place on the screen, of length 1 along −z.
@@ -50,9 +57,9 @@ fn ray(camera: &Camera, x: f64, y: f64) -> [f64; 3] {
     ]
 }
 
-/// The light of the nearest front face between the near and the far plane of the tests; `None` when
-/// another face is as near.
-fn hit(faces: &[Face], ray: [f64; 3]) -> Option<Option<Light>> {
+/// The nearest front face between the near and the far plane of the tests. Unsure when another face
+/// is almost as near.
+fn hit(faces: &[Face], ray: [f64; 3]) -> Seen {
     let hits = faces.iter().filter_map(|face| Some((distance(&face.corners, ray)?, face.light)));
     let mut visible: Vec<_> = hits.filter(|(distance, _)| (0.5..64.0).contains(distance)).collect();
     visible.sort_by(|a, b| a.0.total_cmp(&b.0));
@@ -60,9 +67,9 @@ fn hit(faces: &[Face], ray: [f64; 3]) -> Option<Option<Light>> {
     // seen almost from its side by many steps: those of the tests by less than 32.
     let depth = |distance: f64| 65_535.0 * 0.5 / distance;
     match visible[..] {
-        [(a, light), (b, other), ..] => (light == other || depth(a) - depth(b) > 32.0).then_some(Some(light)),
-        [(_, light)] => Some(Some(light)),
-        [] => Some(None),
+        [(a, light), (b, other), ..] if light != other && depth(a) - depth(b) <= 32.0 => Seen::Unsure,
+        [(_, light), ..] => Seen::Face(light),
+        [] => Seen::Nothing,
     }
 }
 
