@@ -72,9 +72,11 @@ pub mod raster;
 pub use colour::Light;
 pub use display::{
     dither::Dithered,
-    frame::{Frame, TooSmall},
-    layout::{Pages, Rows},
+    frame::{Frame, Spacing, TooSmall},
+    layout::{Columns, Inverted, LsbFirst, MsbFirst, Pages, Planes, Rows},
     level::Levels,
+    turned::{Turn, Turned},
+    window::Window,
 };
 pub use error::OutOfRange;
 pub use geometry::angle::Angle;

@@ -232,6 +232,12 @@ impl Rect {
         if self.top >= self.bottom { 0 } else { bits(self.bottom).wrapping_sub(bits(self.top)) }
     }
 
+    /// Whether a pixel is inside.
+    #[must_use]
+    pub fn contains(self, point: Point) -> bool {
+        self.columns().contains(&point.x) && self.rows().contains(&point.y)
+    }
+
     /// The pixels that are in both.
     #[must_use]
     pub fn intersection(self, other: Self) -> Self {

@@ -16,7 +16,7 @@ use embedded_graphics::{
     },
 };
 
-use crate::{space::Rect, span::Sink};
+use crate::{num::count, space::Rect, span::Sink};
 
 /// Takes runs of colours.
 pub trait Target {
@@ -153,6 +153,37 @@ impl<D: DrawTarget> Target for OnDrawTarget<'_, D> {
             color.filter(|_| inside).map(|color| Pixel(Point::new(column, row), color))
         };
         self.0.draw_iter(columns.zip(colors).filter_map(pixel))
+    }
+}
+
+/// The colours of the visible part of an area whose colours come row by row.
+///
+/// Those of hidden pixels are taken and dropped, in one go where they lie together.
+pub(crate) struct VisibleColors<I> {
+    colors: I,
+    /// To be dropped before the next row.
+    hidden: u64,
+    /// Between the end of a visible row and the beginning of the next.
+    between: u64,
+    width: usize,
+}
+
+impl<I: Iterator> VisibleColors<I> {
+    /// `visible` is a part of `area`.
+    pub(crate) fn new(colors: I, area: Rect, visible: Rect) -> Self {
+        let above = u64::from(visible.top.abs_diff(area.top)) * u64::from(area.width());
+        let hidden = above.saturating_add(u64::from(visible.left.abs_diff(area.left)));
+        let between = u64::from(area.width().saturating_sub(visible.width()));
+        Self { colors, hidden, between, width: count(u64::from(visible.width())) }
+    }
+
+    /// The colours of the next visible row. To be used up before the one after it is asked for.
+    pub(crate) fn row(&mut self) -> impl Iterator<Item = I::Item> {
+        if let Some(last) = count(self.hidden).checked_sub(1) {
+            self.colors.nth(last);
+        }
+        self.hidden = self.between;
+        self.colors.by_ref().take(self.width)
     }
 }
 

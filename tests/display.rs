@@ -5,7 +5,10 @@ mod reference;
 
 use core::{convert::Infallible, fmt::Debug, iter};
 
-use aquatint::{Code, Frame, OnDrawTarget, Pages, Rows, Solid, Target, TooSmall, display::layout::Layout};
+use aquatint::{
+    Code, Columns, Frame, Inverted, LsbFirst, MsbFirst, OnDrawTarget, Pages, Planes, Rows, Solid, Target, TooSmall,
+    display::layout::Layout,
+};
 use embedded_graphics::{
     Pixel,
     draw_target::DrawTarget,

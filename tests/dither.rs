@@ -6,7 +6,8 @@ mod reference;
 use core::{convert::Infallible, fmt::Debug, ops::Range};
 
 use aquatint::{
-    Code, Dithered, Frame, Levels, Light, OnDrawTarget, Pages, Rows, Solid, Target,
+    Code, Columns, Dithered, Frame, Inverted, Levels, Light, LsbFirst, MsbFirst, OnDrawTarget, Pages, Planes, Rows,
+    Solid, Target,
     display::{dither::Method, layout::Layout, level::NotRising},
 };
 use embedded_graphics::{
@@ -229,7 +230,7 @@ fn dither_one_by_one<C: Code + Debug, L: Layout<C>>(packing: Packing, lights: &[
     });
     let ramp: Vec<Option<u16>> = lights.iter().copied().map(Some).collect();
     conform::<C, L>(packing, &expected, |frame| {
-        write_lights(frame, Method::Ordered4x4, &vec![ramp; row + 1], (0..lights.len(), row..row + 1));
+        write_lights(frame, Method::Ordered4x4, &vec![ramp.clone(); row + 1], (0..lights.len(), row..row + 1));
     });
 }
 

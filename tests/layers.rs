@@ -14,7 +14,7 @@ const WORDS: [(&str, &[&str]); 11] = [
     ("matrix", &["num", "space"]),
     ("edge", &["num", "space"]),
     ("vary", &["num", "space"]),
-    ("target", &["space", "span"]),
+    ("target", &["num", "space", "span"]),
 ];
 /// Folders; each may use every word.
 const STAGES: [&str; 6] = ["model", "geometry", "clip", "raster", "hidden", "display"];
@@ -50,8 +50,10 @@ fn uses(file: &str, text: &str) -> BTreeSet<String> {
     let text = without_tests(text);
     let code: String = text.lines().flat_map(|line| [line.split("//").next().unwrap_or(line), "\n"]).collect();
     let behind = |prefix| code.match_indices(prefix).flat_map(|(at, prefix)| heads(&code[at + prefix.len()..]));
-    // From within a stage it takes two `super` to leave it.
-    let leaves = |head: &&str| !file.contains('/') || file.ends_with("/mod.rs") || *head == "super";
+    // From within a stage it takes two `super` to leave it, from a folder in it three.
+    let (depth, is_mod) = (file.matches('/').count(), file.ends_with("/mod.rs"));
+    let leaves =
+        |head: &&str| depth == 0 || (depth == 1 && (is_mod || *head == "super")) || (is_mod && *head == "super");
     behind("crate::").chain(behind("super::").filter(leaves)).map(str::to_owned).collect()
 }
 

@@ -11,11 +11,11 @@ use embedded_graphics::{
 };
 
 use crate::{
-    display::layout::Layout,
+    display::layout::{Layout, Memory},
     error::describe,
-    num::{count, index, low_u8},
+    num::{count, index},
     space::Rect,
-    target::{Code, Ink, Target},
+    target::{Code, Ink, Target, VisibleColors},
 };
 
 /// A picture of colour `C` (which gives the bits a pixel) packed in layout `L` into the bytes `B`.
@@ -43,13 +43,40 @@ pub struct Frame<C, L, B> {
     bytes: B,
     width: u32,
     height: u32,
+    spacing: Spacing,
     packing: PhantomData<(C, L)>,
 }
 
-/// Fewer bytes than the picture needs.
+/// Bytes around the lines of a picture, for buses that want more than pixels in one transfer.
+///
+/// A Sharp memory LCD takes, for each row, its address, the row, and a byte of padding; an I²C display a
+/// byte 40h before all data. Leave room for them here, write them once, and send the whole memory.
+///
+/// ```
+/// use aquatint::{Frame, Pages, Spacing};
+/// use embedded_graphics::{pixelcolor::BinaryColor, prelude::*};
+///
+/// // One byte in front, pages of 128 bytes without a gap.
+/// let spacing = Spacing { before: 1, stride: 128 };
+/// let mut memory = [0; 1 + 1024];
+/// memory[0] = 0x40;
+/// let mut frame = Frame::<BinaryColor, Pages, _>::with_spacing(memory, Size::new(128, 64), spacing).unwrap();
+/// Pixel(Point::new(0, 0), BinaryColor::On).draw(&mut frame)?;
+/// assert_eq!(frame.memory()[..3], [0x40, 0b0000_0001, 0]);
+/// # Ok::<(), core::convert::Infallible>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Spacing {
+    /// Bytes before the first line.
+    pub before: usize,
+    /// Bytes from the beginning of a line to the beginning of the next.
+    pub stride: usize,
+}
+
+/// Memory that cannot hold the picture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct TooSmall {
-    /// How many are needed.
+    /// How many bytes are needed; for a stride that is shorter than a line, how long it must be.
     pub needed: usize,
 }
 
@@ -59,13 +86,18 @@ impl<C: Code, L: Layout<C>> Frame<C, L, ()> {
     /// How many bytes a picture of this size needs; `usize::MAX` where no memory could hold it.
     #[must_use]
     pub const fn bytes_needed(width: u32, height: u32) -> usize {
-        let lines = height.div_ceil(L::ROWS_PER_LINE) as u64;
-        count((Self::stride(width) as u64).saturating_mul(lines))
+        Self::end(width, height, Self::packed(width, height))
     }
 
-    /// Bytes in a line.
-    const fn stride(width: u32) -> usize {
-        count((width as u64 * (C::BITS * L::ROWS_PER_LINE) as u64).div_ceil(8))
+    /// No byte that is not a pixel's.
+    const fn packed(width: u32, height: u32) -> Spacing {
+        Spacing { before: 0, stride: L::SHAPE.stride(width, height) }
+    }
+
+    /// The byte behind the last line.
+    const fn end(width: u32, height: u32, spacing: Spacing) -> usize {
+        let lines = L::SHAPE.lines(width, height);
+        count((spacing.stride as u64).saturating_mul(lines)).saturating_add(spacing.before)
     }
 }
 
@@ -75,8 +107,12 @@ impl<C: Code, L: Layout<C>, const N: usize> Frame<C, L, [u8; N]> {
     /// # Errors
     /// [`TooSmall`].
     pub const fn with_array(bytes: [u8; N], width: u32, height: u32) -> Result<Self, TooSmall> {
-        let needed = Frame::<C, L, ()>::bytes_needed(width, height);
-        if N < needed { Err(TooSmall { needed }) } else { Ok(Self { bytes, width, height, packing: PhantomData }) }
+        let spacing = Frame::<C, L, ()>::packed(width, height);
+        let needed = Frame::<C, L, ()>::end(width, height, spacing);
+        if N < needed {
+            return Err(TooSmall { needed });
+        }
+        Ok(Self { bytes, width, height, spacing, packing: PhantomData })
     }
 }
 
@@ -88,61 +124,74 @@ impl<C: Code, L: Layout<C>, B: AsRef<[u8]>> Frame<C, L, B> {
     /// # Errors
     /// [`TooSmall`].
     pub fn new(bytes: B, width: u32, height: u32) -> Result<Self, TooSmall> {
-        let needed = Frame::<C, L, ()>::bytes_needed(width, height);
+        let spacing = Frame::<C, L, ()>::packed(width, height);
+        Self::with_spacing(bytes, Size::new(width, height), spacing)
+    }
+
+    /// A frame with bytes around its lines, which drawing never touches.
+    ///
+    /// # Errors
+    /// [`TooSmall`]: the memory, or the stride.
+    pub fn with_spacing(bytes: B, Size { width, height }: Size, spacing: Spacing) -> Result<Self, TooSmall> {
+        let shortest = L::SHAPE.stride(width, height);
+        if spacing.stride < shortest {
+            return Err(TooSmall { needed: shortest });
+        }
+        let needed = Frame::<C, L, ()>::end(width, height, spacing);
         if bytes.as_ref().len() < needed {
             return Err(TooSmall { needed });
         }
-        Ok(Self { bytes, width, height, packing: PhantomData })
+        Ok(Self { bytes, width, height, spacing, packing: PhantomData })
     }
 
-    /// The bytes of the picture in the order in which the panel takes them.
+    /// The bytes of the picture in the order in which the panel takes them, gaps included, from the
+    /// first line on.
     #[must_use]
     pub fn bytes(&self) -> &[u8] {
-        let needed = Frame::<C, L, ()>::bytes_needed(self.width, self.height);
-        self.bytes.as_ref().get(..needed).unwrap_or(&[])
+        self.memory().get(self.spacing.before..).unwrap_or(&[])
+    }
+
+    /// All bytes, those before the first line too.
+    #[must_use]
+    pub fn memory(&self) -> &[u8] {
+        let end = Frame::<C, L, ()>::end(self.width, self.height, self.spacing);
+        self.bytes.as_ref().get(..end).unwrap_or(&[])
+    }
+
+    /// The bytes of one plane, counted from 0; empty where the layout has fewer.
+    #[must_use]
+    pub fn plane(&self, index: usize) -> &[u8] {
+        let bytes = self.bytes();
+        let length = bytes.len() / L::SHAPE.planes.max(1) as usize;
+        bytes.chunks_exact(length.max(1)).nth(index).unwrap_or(&[])
+    }
+
+    /// The lines of bytes, without the gaps between them: rows of pixels, pages or columns.
+    pub fn lines(&self) -> impl Iterator<Item = &[u8]> {
+        let data = L::SHAPE.stride(self.width, self.height);
+        self.bytes().chunks(self.spacing.stride.max(1)).map(move |line| line.get(..data).unwrap_or(line))
     }
 }
 
 impl<C: Code, L: Layout<C>, B: AsMut<[u8]>> Frame<C, L, B> {
-    /// Fills a rectangle, line of bytes by line of bytes.
-    fn fill_rect(&mut self, area: Rect, codes: [u8; 4]) {
-        let area = area.intersection(self.rect());
-        if area.is_empty() {
-            return;
-        }
-        let columns = index(area.left)..index(area.right);
-        let mut row = area.top;
-        while row < area.bottom {
-            // All the rows that share a line of bytes with this one.
-            let line_end = (row | low_i32(L::ROWS_PER_LINE - 1)).saturating_add(1);
-            let mask = Self::row_mask(row, line_end.min(area.bottom));
-            let Some(line) = self.line(row) else { return };
-            L::fill(line, columns.clone(), mask, codes);
-            row = line_end;
-        }
-    }
-
     fn rect(&self) -> Rect {
         Rect::of_size(Size::new(self.width, self.height))
     }
 
-    /// Bits of the rows from `first` up to, not including, `end` within their line of bytes.
-    const fn row_mask(first: i32, end: i32) -> u8 {
-        let in_line = first.cast_unsigned() % L::ROWS_PER_LINE;
-        let rows = end.wrapping_sub(first).cast_unsigned() % 9;
-        low_u8(((1 << rows) - 1) << in_line)
+    fn lines_mut(&mut self) -> Memory<&mut [u8]> {
+        let end = Frame::<C, L, ()>::end(self.width, self.height, self.spacing);
+        let bytes = self.bytes.as_mut().get_mut(self.spacing.before..end).unwrap_or_default();
+        Memory { bytes, stride: self.spacing.stride }
     }
 
-    /// The line of bytes that holds a row inside.
-    fn line(&mut self, row: i32) -> Option<&mut [u8]> {
-        let stride = Frame::<C, L, ()>::stride(self.width);
-        let start = index(row) / L::ROWS_PER_LINE as usize * stride;
-        self.bytes.as_mut().get_mut(start..start + stride)
+    /// Fills what is inside of a rectangle.
+    fn fill_rect(&mut self, area: Rect, codes: [u8; 4]) {
+        let area = area.intersection(self.rect());
+        if !area.is_empty() {
+            let (rows, columns) = (index(area.top)..index(area.bottom), index(area.left)..index(area.right));
+            L::fill(self.lines_mut(), rows, columns, codes);
+        }
     }
-}
-
-const fn low_i32(value: u32) -> i32 {
-    value.cast_signed()
 }
 
 impl<C: Code, L: Layout<C>, B: AsMut<[u8]>> Target for Frame<C, L, B> {
@@ -154,13 +203,8 @@ impl<C: Code, L: Layout<C>, B: AsMut<[u8]>> Target for Frame<C, L, B> {
     }
 
     fn fill_run(&mut self, row: i32, columns: Range<i32>, ink: &impl Ink<Color = C>) -> Result<(), Infallible> {
-        if let Some(columns) = self.rect().clip_run(row, columns) {
-            let codes = ink.four(row).map(Code::code);
-            let mask = Self::row_mask(row, row.saturating_add(1));
-            if let Some(line) = self.line(row) {
-                L::fill(line, index(columns.start)..index(columns.end), mask, codes);
-            }
-        }
+        let codes = ink.four(row).map(Code::code);
+        self.fill_rect(Rect::new(columns.start, row, columns.end, row.saturating_add(1)), codes);
         Ok(())
     }
 
@@ -173,11 +217,8 @@ impl<C: Code, L: Layout<C>, B: AsMut<[u8]>> Target for Frame<C, L, B> {
         if let Some(visible) = self.rect().clip_run(row, columns.clone()) {
             let hidden = index(visible.start.saturating_sub(columns.start));
             let (start, end) = (index(visible.start), index(visible.end));
-            let mask = Self::row_mask(row, row.saturating_add(1));
-            if let Some(line) = self.line(row) {
-                let codes = colors.skip(hidden).take(end - start).map(|color| color.map(Code::code));
-                L::write(line, start, mask, codes);
-            }
+            let codes = colors.skip(hidden).take(end - start).map(|color| color.map(Code::code));
+            L::write(self.lines_mut(), index(row), start, codes);
         }
         Ok(())
     }
@@ -195,31 +236,20 @@ impl<C: Code, L: Layout<C>, B: AsMut<[u8]>> DrawTarget for Frame<C, L, B> {
 
     fn draw_iter<I: IntoIterator<Item = Pixel<C>>>(&mut self, pixels: I) -> Result<(), Infallible> {
         let bounds = self.rect();
-        for Pixel(Point { x, y }, color) in pixels {
-            if bounds.columns().contains(&x) && bounds.rows().contains(&y) {
-                let mask = Self::row_mask(y, y.saturating_add(1));
-                if let Some(line) = self.line(y) {
-                    L::write(line, index(x), mask, core::iter::once(Some(color.code())));
-                }
+        for Pixel(point, color) in pixels {
+            if bounds.contains(point) {
+                L::write(self.lines_mut(), index(point.y), index(point.x), core::iter::once(Some(color.code())));
             }
         }
         Ok(())
     }
 
     fn fill_contiguous<I: IntoIterator<Item = C>>(&mut self, area: &Rectangle, colors: I) -> Result<(), Infallible> {
-        let (mut colors, area) = (colors.into_iter(), Rect::from(*area));
+        let area = Rect::from(*area);
         let visible = area.intersection(self.rect());
-        if visible.is_empty() {
-            return Ok(());
-        }
-        // Colours of hidden pixels are taken and dropped, in one go where they lie together.
-        let hidden = |from: i32, to: i32| u64::from(to.abs_diff(from));
-        skip(&mut colors, hidden(area.top, visible.top) * u64::from(area.width()));
+        let mut colors = VisibleColors::new(colors.into_iter(), area, visible);
         for row in visible.rows() {
-            skip(&mut colors, hidden(area.left, visible.left));
-            let run = colors.by_ref().take(index(visible.right - visible.left));
-            self.write_run(row, visible.columns(), run.map(Some))?;
-            skip(&mut colors, hidden(visible.right, area.right));
+            self.write_run(row, visible.columns(), colors.row().map(Some))?;
         }
         Ok(())
     }
@@ -235,25 +265,15 @@ impl<C: Code, L: Layout<C>, B: AsMut<[u8]>> DrawTarget for Frame<C, L, B> {
     }
 }
 
-/// Takes `number` items, or all there are.
-fn skip(items: &mut impl Iterator, number: u64) {
-    if let Some(last) = count(number).checked_sub(1) {
-        items.nth(last);
-    }
-}
-
 impl<C: Code, L: Layout<C>, B: AsRef<[u8]>> GetPixel for Frame<C, L, B> {
     type Color = C;
 
     fn pixel(&self, point: Point) -> Option<C> {
         let bounds = Rect::of_size(self.size());
-        if !(bounds.columns().contains(&point.x) && bounds.rows().contains(&point.y)) {
+        if !bounds.contains(point) {
             return None;
         }
-        let stride = Frame::<C, L, ()>::stride(self.width);
-        let start = index(point.y) / L::ROWS_PER_LINE as usize * stride;
-        let line = self.bytes.as_ref().get(start..start + stride)?;
-        let mask = 1 << (point.y.cast_unsigned() % L::ROWS_PER_LINE);
-        L::read(line, index(point.x), mask).map(C::from_code)
+        let memory = Memory { bytes: self.bytes(), stride: self.spacing.stride };
+        L::read(memory, index(point.y), index(point.x)).map(C::from_code)
     }
 }

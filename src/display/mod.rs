@@ -14,3 +14,5 @@ pub mod dither;
 pub mod frame;
 pub mod layout;
 pub mod level;
+pub mod turned;
+pub mod window;

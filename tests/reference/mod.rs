@@ -6,7 +6,7 @@ pub mod steps;
 
 use core::{convert::Infallible, fmt::Debug};
 
-use aquatint::{Code, Frame, Rect, Target, display::layout::Layout};
+use aquatint::{Code, Frame, Rect, Spacing, Target, display::layout::Layout};
 use embedded_graphics::{
     Pixel,
     draw_target::DrawTarget,
@@ -18,9 +18,20 @@ use embedded_graphics::{
 macro_rules! on_every_layout {
     ($check:ident($($argument:expr),*)) => {
         $check::<BinaryColor, Rows>(Packing::Rows, $($argument),*);
+        $check::<BinaryColor, Rows<LsbFirst>>(Packing::RowsLsbFirst, $($argument),*);
+        $check::<BinaryColor, Inverted<Rows>>(Packing::RowsInverted, $($argument),*);
         $check::<BinaryColor, Pages>(Packing::Pages, $($argument),*);
+        $check::<BinaryColor, Pages<MsbFirst>>(Packing::PagesMsbFirst, $($argument),*);
+        $check::<BinaryColor, Inverted<Pages>>(Packing::PagesInverted, $($argument),*);
+        $check::<BinaryColor, Columns>(Packing::Columns, $($argument),*);
+        $check::<BinaryColor, Columns<LsbFirst>>(Packing::ColumnsLsbFirst, $($argument),*);
         $check::<Gray2, Rows>(Packing::Rows, $($argument),*);
+        $check::<Gray2, Rows<LsbFirst>>(Packing::RowsLsbFirst, $($argument),*);
+        $check::<Gray2, Planes>(Packing::Planes, $($argument),*);
+        $check::<Gray2, Planes<LsbFirst>>(Packing::PlanesLsbFirst, $($argument),*);
         $check::<Gray4, Rows>(Packing::Rows, $($argument),*);
+        $check::<Gray4, Rows<LsbFirst>>(Packing::RowsLsbFirst, $($argument),*);
+        $check::<Gray4, Inverted<Rows>>(Packing::RowsInverted, $($argument),*);
         $check::<Gray8, Rows>(Packing::Rows, $($argument),*);
     };
 }
@@ -33,8 +44,55 @@ pub const GUARD: u8 = 0xA5;
 pub enum Packing {
     /// Rows of pixels, the leftmost in the highest bits.
     Rows,
+    /// The same, the leftmost in the lowest bits.
+    RowsLsbFirst,
+    /// Rows with every bit turned over.
+    RowsInverted,
     /// Bytes of eight rows, the topmost in the lowest bit.
     Pages,
+    /// The same, the topmost in the highest bit.
+    PagesMsbFirst,
+    /// Pages with every bit turned over.
+    PagesInverted,
+    /// Columns of pixels, the topmost in the highest bit.
+    Columns,
+    /// The same, the topmost in the lowest bit.
+    ColumnsLsbFirst,
+    /// Rows of the low bits, then rows of the high bits.
+    Planes,
+    /// The same, the leftmost in the lowest bit.
+    PlanesLsbFirst,
+}
+
+/// Where one bit of a pixel is in memory.
+struct Place {
+    line: usize,
+    byte: usize,
+    bit: usize,
+}
+
+impl Packing {
+    /// Where bit `number` of the code of `bits` bits of a pixel is, in a picture of some height.
+    fn place(self, (x, y): (usize, usize), height: usize, (number, bits): (usize, usize)) -> Place {
+        // Bits are counted from the lowest; the first pixel of a byte has the highest.
+        let from_high = |at: usize| Place { line: y, byte: at * bits / 8, bit: 8 - bits - at * bits % 8 + number };
+        let from_low = |at: usize| Place { line: y, byte: at * bits / 8, bit: at * bits % 8 + number };
+        let plane = |bit: usize| Place { line: y + number * height, byte: x / 8, bit };
+        match self {
+            Self::Rows | Self::RowsInverted => from_high(x),
+            Self::RowsLsbFirst => from_low(x),
+            Self::Pages | Self::PagesInverted => Place { line: y / 8, byte: x, bit: y % 8 },
+            Self::PagesMsbFirst => Place { line: y / 8, byte: x, bit: 7 - y % 8 },
+            Self::Columns => Place { line: x, ..from_high(y) },
+            Self::ColumnsLsbFirst => Place { line: x, ..from_low(y) },
+            Self::Planes => plane(7 - x % 8),
+            Self::PlanesLsbFirst => plane(x % 8),
+        }
+    }
+
+    fn is_inverted(self) -> bool {
+        matches!(self, Self::RowsInverted | Self::PagesInverted)
+    }
 }
 
 /// A display that can only draw pixels, and that knows which were drawn.
@@ -63,22 +121,19 @@ impl<C: Code> Reference<C> {
         &self.pixels
     }
 
-    /// `bytes` with the drawn pixels in them.
-    pub fn packed(&self, packing: Packing, mut bytes: Vec<u8>) -> Vec<u8> {
-        let (width, bits) = (self.width as usize, C::BITS as usize);
-        let row_bytes = (width * bits).div_ceil(8);
+    /// `memory` with the drawn pixels in it.
+    pub fn packed(&self, packing: Packing, spacing: Spacing, mut memory: Vec<u8>) -> Vec<u8> {
+        let (width, height, bits) = (self.width as usize, self.height as usize, C::BITS as usize);
         for (index, color) in self.pixels.iter().enumerate() {
-            let (x, y) = (index % width, index / width);
-            let (byte, shift) = match packing {
-                Packing::Rows => (y * row_bytes + x * bits / 8, 8 - bits - x * bits % 8),
-                Packing::Pages => (y / 8 * width + x, y % 8),
-            };
-            if let Some(color) = color {
-                let mask = (0xFF >> (8 - bits)) << shift;
-                bytes[byte] = bytes[byte] & !mask | color.code() << shift;
+            let Some(color) = color else { continue };
+            let code = if packing.is_inverted() { !color.code() } else { color.code() };
+            for number in 0..bits {
+                let Place { line, byte, bit } = packing.place((index % width, index / width), height, (number, bits));
+                let byte = &mut memory[spacing.before + line * spacing.stride + byte];
+                *byte = *byte & !(1 << bit) | (code >> number & 1) << bit;
             }
         }
-        bytes
+        memory
     }
 }
 
@@ -103,22 +158,29 @@ impl<C: Code> DrawTarget for Reference<C> {
     }
 }
 
-/// Draws on a frame in the middle of memory, which must hold what the reference has, and no more.
+/// Draws on a frame in the middle of memory, which must hold what the reference has, and no more; then
+/// again with bytes around the lines.
 pub fn conform<C: Code + Debug, L: Layout<C>>(
     packing: Packing,
     expected: &Reference<C>,
-    draw: impl FnOnce(&mut Frame<C, L, &mut [u8]>),
+    draw: impl Fn(&mut Frame<C, L, &mut [u8]>),
 ) {
     let size = expected.size();
-    let needed = Frame::<C, L, ()>::bytes_needed(size.width, size.height);
-    let mut memory = vec![GUARD; needed + 16];
-    let mut frame = Frame::<C, L, _>::new(&mut memory[8..], size.width, size.height).expect("8 bytes more than enough");
-    draw(&mut frame);
-    for ((x, y), &color) in places(frame.bounds()).zip(expected.pixels()) {
-        assert!(color.is_none() || frame.pixel(Point::new(x, y)) == color, "{packing:?}, {size}: {x}, {y}");
+    let stride = L::SHAPE.stride(size.width, size.height);
+    for spacing in [Spacing { before: 0, stride }, Spacing { before: 3, stride: stride + 2 }] {
+        let lines = usize::try_from(L::SHAPE.lines(size.width, size.height)).expect("few");
+        let needed = spacing.before + lines * spacing.stride;
+        let mut memory = vec![GUARD; needed + 16];
+        let mut frame =
+            Frame::<C, L, _>::with_spacing(&mut memory[8..], size, spacing).expect("8 bytes more than enough");
+        draw(&mut frame);
+        for ((x, y), &color) in places(frame.bounds()).zip(expected.pixels()) {
+            assert!(color.is_none() || frame.pixel(Point::new(x, y)) == color, "{packing:?}, {size}: {x}, {y}");
+        }
+        let drawn = expected.packed(packing, spacing, vec![GUARD; needed]);
+        assert_eq!(frame.memory(), drawn, "{packing:?}, {size}, {spacing:?}");
+        assert_eq!([&memory[..8], &memory[8 + needed..]], [[GUARD; 8]; 2]);
     }
-    assert_eq!(frame.bytes(), expected.packed(packing, vec![GUARD; needed]), "{packing:?}, {size}");
-    assert_eq!([&memory[..8], &memory[8 + needed..]], [[GUARD; 8]; 2]);
 }
 
 /// The pixels of an area, row by row.

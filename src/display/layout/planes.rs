@@ -1,0 +1,75 @@
+//! Two pictures of one bit each, one behind the other.
+
+use core::{marker::PhantomData, ops::Range};
+
+use embedded_graphics::pixelcolor::raw::RawU2;
+
+use super::{Layout, Memory, MsbFirst, Order, Shape, fill_bits, merge, spread};
+use crate::{num::low_index, target::Code};
+
+/// Rows of the low bits of all codes, then rows of the high bits: e-paper of four greys or of three
+/// colours, whose controllers keep two memories of one bit a pixel.
+///
+/// [`Frame::plane`](crate::Frame::plane) gives the bytes of either. Without a colour of its own for
+/// three inks, `Gray2` serves: code 0 to 3, the low bit in plane 0, the high bit in plane 1.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Planes<O = MsbFirst>(PhantomData<O>);
+
+impl<C: Code<Raw = RawU2>, O: Order> Layout<C> for Planes<O> {
+    const SHAPE: Shape = Shape { is_vertical: false, rows_per_line: 1, bits: 1, planes: 2 };
+
+    fn fill(memory: Memory<&mut [u8]>, rows: Range<usize>, columns: Range<usize>, codes: [u8; 4]) {
+        let (low, high) = halves(memory);
+        for (plane, shift) in [(low, 0), (high, 1)] {
+            let pattern = repeat::<O>(codes.map(|code| code >> shift));
+            for line in plane.lines(rows.clone()) {
+                fill_bits::<O>(line, columns.clone(), [pattern; 4]);
+            }
+        }
+    }
+
+    fn write(memory: Memory<&mut [u8]>, row: usize, column: usize, codes: impl Iterator<Item = Option<u8>>) {
+        let (low, high) = halves(memory);
+        let (Some(low), Some(high)) = (low.line(row), high.line(row)) else { return };
+        for (column, code) in (column..).zip(codes) {
+            let (Some(low), Some(high)) = (low.get_mut(column / 8), high.get_mut(column / 8)) else { return };
+            if let Some(code) = code {
+                merge(low, bit_of::<O>(column), spread(code));
+                merge(high, bit_of::<O>(column), spread(code >> 1));
+            }
+        }
+    }
+
+    fn read(memory: Memory<&[u8]>, row: usize, column: usize) -> Option<u8> {
+        let Memory { bytes, stride } = memory;
+        let (low, high) = bytes.split_at_checked(bytes.len() / 2)?;
+        let bit = |bytes| read_bit::<O>(Memory { bytes, stride }, row, column);
+        Some(bit(low)? | (bit(high)? << 1))
+    }
+}
+
+/// A pixel's bit of one plane.
+fn read_bit<O: Order>(plane: Memory<&[u8]>, row: usize, column: usize) -> Option<u8> {
+    plane.line(row)?.get(column / 8).map(|byte| u8::from(byte & bit_of::<O>(column) != 0))
+}
+
+/// The two planes.
+fn halves(memory: Memory<&mut [u8]>) -> (Memory<&mut [u8]>, Memory<&mut [u8]>) {
+    let Memory { bytes, stride } = memory;
+    let middle = bytes.len() / 2;
+    let (low, high) = bytes.split_at_mut_checked(middle).unwrap_or_default();
+    (Memory { bytes: low, stride }, Memory { bytes: high, stride })
+}
+
+/// Four low bits, twice over a byte.
+fn repeat<O: Order>(codes: [u8; 4]) -> u8 {
+    let [a, b, c, d] = codes.map(|code| code & 1);
+    let four = if O::MSB_FIRST { (a << 3) | (b << 2) | (c << 1) | d } else { (d << 3) | (c << 2) | (b << 1) | a };
+    (four << 4) | four
+}
+
+#[inline]
+const fn bit_of<O: Order>(column: usize) -> u8 {
+    let bit = low_index(column) % 8;
+    if O::MSB_FIRST { 0x80 >> bit } else { 1 << bit }
+}
