@@ -1,0 +1,64 @@
+//! Comparing: counts are compared only where the pictures are the same, or differ for a known reason.
+
+use crate::{
+    items::{self, Draw, Label, MEMORY, OURS, Surface, Visitor},
+    name,
+};
+
+/// How a peer's picture may differ from ours.
+enum Difference {
+    /// No pixel.
+    None,
+    /// The peer draws our pixels and others, for a reason.
+    More,
+}
+
+/// The one place that lists the items that peers draw otherwise.
+fn difference(item: &str) -> Difference {
+    match item {
+        // aquatint fills the pixels whose centres are inside (the top-left rule, so that neighbours
+        // share no pixel); embedded-graphics also draws the outline, in pixels half outside.
+        "tri_fill" => Difference::More,
+        _ => Difference::None,
+    }
+}
+
+/// Draws everything and compares. Says how much was compared, or what is wrong.
+pub fn compare() -> Result<String, String> {
+    let mut pictures = Pictures(Vec::new());
+    items::all(&mut [0; MEMORY], &mut pictures);
+    let faults: Vec<String> =
+        pictures.0.iter().filter_map(|(label, picture)| pictures.fault(*label, picture)).collect();
+    if faults.is_empty() { Ok(format!("{} pictures agree", pictures.0.len())) } else { Err(faults.join("\n")) }
+}
+
+/// What everybody drew, packed.
+struct Pictures(Vec<(Label, Vec<u8>)>);
+
+impl Visitor for Pictures {
+    fn visit<S: Surface>(&mut self, label: Label, surface: &mut S, draw: Draw<S>) {
+        items::darken(surface).expect("a picture in memory");
+        draw(surface).expect("a picture in memory");
+        surface.picture(|bytes| self.0.push((label, bytes.to_vec())));
+    }
+}
+
+impl Pictures {
+    /// What is wrong with a picture.
+    fn fault(&self, label: Label, picture: &[u8]) -> Option<String> {
+        if picture.iter().all(|&byte| byte == 0) {
+            return Some(format!("{} by {} is empty", name(label), label.who));
+        }
+        let (_, ours) = self.0.iter().find(|(other, _)| *other == Label { who: OURS, ..label })?;
+        let bits = |differ: fn(u8, u8) -> u8| -> u32 {
+            ours.iter().zip(picture).map(|(&ours, &theirs)| differ(ours, theirs).count_ones()).sum()
+        };
+        let (missing, more) = (bits(|ours, theirs| ours & !theirs), bits(|ours, theirs| theirs & !ours));
+        let agree = match difference(label.item) {
+            Difference::None => missing + more == 0,
+            Difference::More => missing == 0,
+        };
+        let counts = format!("{missing} bits missing, {more} more than aquatint's");
+        (!agree || ours.len() != picture.len()).then(|| format!("{} by {}: {counts}", name(label), label.who))
+    }
+}

@@ -1,0 +1,100 @@
+//! What is measured: every item on every panel, drawn by aquatint and by its peers.
+//!
+//! The desk counts with callgrind and compares the pixels (`cargo bench`), the firmware counts on
+//! emulated cores (`examples/mcu_bench.rs`, run by `.ci/firmware bench`); both walk these lists.
+//! To add an item, write a function and name it in `both` (drawn by the peers too) or `alone`. To
+//! add another kind of scene, or other peers, write a function like [`panel`] and call it in [`all`].
+
+mod peers;
+mod pictures;
+mod scene;
+
+use aquatint::{Code, Frame, Pages, Rows, display::layout::Layout};
+use embedded_graphics::{
+    draw_target::DrawTarget,
+    framebuffer::{Framebuffer, buffer_size},
+    pixelcolor::{
+        BinaryColor, Gray4,
+        raw::{BigEndian, RawU1, RawU4},
+    },
+};
+
+pub use peers::Surface;
+
+/// The longest picture: 400 × 240 at one bit.
+pub const MEMORY: usize = 12_000;
+
+/// Who is aquatint, in the results.
+pub const OURS: &str = "aquatint";
+
+const EMBEDDED_GRAPHICS: &str = "embedded-graphics";
+
+/// What is drawn, on which panel, by whom.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Label {
+    pub item: &'static str,
+    pub panel: &'static str,
+    pub who: &'static str,
+}
+
+/// Draws an item on a surface.
+pub type Draw<S> = fn(&mut S) -> Result<(), <S as DrawTarget>::Error>;
+
+/// An item by its name.
+type Item<S> = (&'static str, Draw<S>);
+
+/// Comes to every item on every surface.
+pub trait Visitor {
+    /// The surface holds what was drawn before.
+    fn visit<S: Surface>(&mut self, label: Label, surface: &mut S, draw: Draw<S>);
+}
+
+/// Draws nothing: what calling an item costs.
+#[expect(clippy::unnecessary_wraps, reason = "called in place of an item")]
+pub fn nothing<S: Surface>(_surface: &mut S) -> Result<(), S::Error> {
+    Ok(())
+}
+
+/// Makes every pixel dark.
+pub fn darken<S: Surface>(surface: &mut S) -> Result<(), S::Error> {
+    surface.clear(BinaryColor::Off.into())
+}
+
+/// Shows everything that is measured to `visitor`.
+pub fn all(memory: &mut [u8; MEMORY], visitor: &mut impl Visitor) {
+    // embedded-graphics has no buffer of vertical bytes; this driver has its own.
+    panel::<BinaryColor, Pages>("v128", (128, 64), memory, visitor);
+    peer("v128", "ssd1306", peers::ssd1306, visitor);
+    panel::<BinaryColor, Rows>("h128", (128, 64), memory, visitor);
+    peer("h128", EMBEDDED_GRAPHICS, OneBit::<128, 64, { buffer_size::<BinaryColor>(128, 64) }>::new, visitor);
+    panel::<BinaryColor, Rows>("h400", (400, 240), memory, visitor);
+    peer("h400", EMBEDDED_GRAPHICS, OneBit::<400, 240, { buffer_size::<BinaryColor>(400, 240) }>::new, visitor);
+    panel::<Gray4, Rows>("g256", (256, 64), memory, visitor);
+    peer("g256", EMBEDDED_GRAPHICS, FourBits::<256, 64, { buffer_size::<Gray4>(256, 64) }>::new, visitor);
+}
+
+type OneBit<const W: usize, const H: usize, const N: usize> = Framebuffer<BinaryColor, RawU1, BigEndian, W, H, N>;
+type FourBits<const W: usize, const H: usize, const N: usize> = Framebuffer<Gray4, RawU4, BigEndian, W, H, N>;
+
+/// Shows all items as aquatint draws them on one panel.
+#[inline(never)]
+fn panel<C, L>(name: &'static str, (width, height): (u32, u32), memory: &mut [u8; MEMORY], visitor: &mut impl Visitor)
+where
+    C: Code + From<BinaryColor>,
+    L: Layout<C>,
+{
+    // Too small a memory would show as missing items in the results.
+    let Ok(mut frame) = Frame::<C, L, _>::new(&mut memory[..], width, height) else { return };
+    for &(item, draw) in scene::both().iter().chain(scene::alone()) {
+        visitor.visit(Label { item, panel: name, who: OURS }, &mut frame, draw);
+    }
+}
+
+/// Shows the items that a peer can draw, on a surface of its own.
+#[inline(never)]
+fn peer<S: Surface>(panel: &'static str, who: &'static str, surface: impl FnOnce() -> S, visitor: &mut impl Visitor) {
+    let mut surface = surface();
+    for &(item, draw) in scene::both() {
+        visitor.visit(Label { item, panel, who }, &mut surface, draw);
+    }
+}

@@ -1,0 +1,123 @@
+//! The items. Every input goes through `black_box`, so that nothing is computed while compiling.
+
+use core::{convert::Infallible, hint::black_box};
+
+use aquatint::{Code, Dithered, Frame, Levels, Light, Point2, Solid, Target, display::layout::Layout};
+use embedded_graphics::{
+    Drawable,
+    draw_target::DrawTargetExt,
+    geometry::{Point, Size},
+    image::Image,
+    mono_font::{MonoTextStyle, ascii::FONT_6X10},
+    pixelcolor::{BinaryColor, PixelColor},
+    primitives::{Primitive, PrimitiveStyle, Rectangle},
+    text::Text,
+};
+
+use super::{
+    Item, Surface,
+    peers::fill,
+    pictures::{PHOTO_WIDTH, bits, photo},
+};
+
+/// What the peers draw too.
+pub fn both<'s, S: Surface>() -> &'s [Item<S>] {
+    &[
+        ("clear", clear),
+        ("rect_fill", rect_fill),
+        ("hline", |s| line(s, [(7, 9), (106, 9)])),
+        ("vline", |s| line(s, [(13, 2), (13, 61)])),
+        ("line45", |s| line(s, [(5, 2), (64, 61)])),
+        ("shallow", |s| line(s, [(7, 9), (106, 34)])),
+        ("steep", |s| line(s, [(20, 2), (34, 61)])),
+        ("tri_fill", tri_fill),
+        ("text", text),
+        ("blit", blit),
+    ]
+}
+
+/// What only aquatint draws.
+pub fn alone<'m, C: Code + From<BinaryColor>, L: Layout<C>>() -> &'m [Item<Ours<'m, C, L>>] {
+    &[
+        ("star_fill", star_fill), //
+        ("dither_photo", dither_photo),
+        ("grey_rect", grey_rect),
+    ]
+}
+
+type Ours<'m, C, L> = Frame<C, L, &'m mut [u8]>;
+
+fn on<C: PixelColor + From<BinaryColor>>() -> C {
+    black_box(BinaryColor::On).into()
+}
+
+fn clear<S: Surface>(surface: &mut S) -> Result<(), S::Error> {
+    surface.clear(on())
+}
+
+fn rect_fill<S: Surface>(surface: &mut S) -> Result<(), S::Error> {
+    let area = black_box(Rectangle::new(Point::new(3, 5), Size::new(100, 50)));
+    area.into_styled(PrimitiveStyle::with_fill(on())).draw(surface)
+}
+
+fn line<S: Surface>(surface: &mut S, ends: [(i32, i32); 2]) -> Result<(), S::Error> {
+    surface.line(black_box(ends).map(Point::from), on())
+}
+
+fn tri_fill<S: Surface>(surface: &mut S) -> Result<(), S::Error> {
+    surface.triangle(black_box([Point::new(12, 4), Point::new(98, 20), Point::new(45, 56)]), on())
+}
+
+/// Twenty characters.
+fn text<S: Surface>(surface: &mut S) -> Result<(), S::Error> {
+    let style = MonoTextStyle::new(&FONT_6X10, on());
+    Text::new(black_box("Aquatint draws fonts"), black_box(Point::new(3, 30)), style).draw(surface).map(drop)
+}
+
+fn blit<S: Surface>(surface: &mut S) -> Result<(), S::Error> {
+    Image::new(&bits(), black_box(Point::new(5, 0))).draw(&mut surface.color_converted())
+}
+
+/// Twelve vertices, area 1172.
+const STAR: [(i32, i32); 12] = [
+    (94, 31),
+    (75, 38),
+    (79, 57),
+    (64, 44),
+    (49, 57),
+    (53, 38),
+    (34, 31),
+    (53, 24),
+    (49, 5),
+    (64, 18),
+    (79, 5),
+    (75, 24),
+];
+
+fn star_fill<C: Code + From<BinaryColor>, L: Layout<C>>(frame: &mut Ours<C, L>) -> Result<(), Infallible> {
+    fill(&black_box(STAR.map(|(x, y)| Point2::corner(x, y))), on(), frame)
+}
+
+/// The levels of a panel of one or four bits.
+fn levels<C: Code>() -> Levels<'static> {
+    black_box(if C::BITS == 1 { Levels::ONE_BIT } else { Levels::LINEAR_16 })
+}
+
+fn dither_photo<C: Code, L: Layout<C>>(frame: &mut Ours<C, L>) -> Result<(), Infallible> {
+    let mut dithered = Dithered::new(frame, levels::<C>());
+    let end = black_box(128);
+    for (row, codes) in (0..).zip(photo().chunks_exact(PHOTO_WIDTH)) {
+        dithered.write_run(row, 0..end, codes.iter().map(|&code| Some(Light::from_srgb(code))))?;
+    }
+    Ok(())
+}
+
+/// The rectangle of `rect_fill`, in half of the light.
+fn grey_rect<C: Code, L: Layout<C>>(frame: &mut Ours<C, L>) -> Result<(), Infallible> {
+    let mut dithered = Dithered::new(frame, levels::<C>());
+    let ink = Solid(black_box(Light(32_768)));
+    for row in black_box(5..55) {
+        dithered.fill_run(row, black_box(3..103), &ink)?;
+    }
+    Ok(())
+}
