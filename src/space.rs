@@ -260,8 +260,8 @@ impl Rect {
 impl From<Rectangle> for Rect {
     fn from(area: Rectangle) -> Self {
         let Point { x, y } = area.top_left;
-        let end = |start: i32, size: u32| saturate_i32(i64::from(start) + i64::from(size));
-        Self::new(x, y, end(x, area.size.width), end(y, area.size.height))
+        let Size { width, height } = area.size;
+        Self::new(x, y, x.saturating_add_unsigned(width), y.saturating_add_unsigned(height))
     }
 }
 

@@ -9,11 +9,12 @@ use core::ops::Range;
 use embedded_graphics::{
     Pixel,
     draw_target::DrawTarget,
-    geometry::Point,
+    geometry::{Point, Size},
     pixelcolor::{
         PixelColor,
         raw::{RawData, RawU1, RawU2, RawU4, RawU8},
     },
+    primitives::Rectangle,
 };
 
 use crate::{num::count, space::Rect, span::Sink};
@@ -120,24 +121,35 @@ impl<T: Target, I: Ink<Color = T::Color>> Sink for Brush<'_, T, I> {
 /// A run of one colour is one `fill_solid`, a run of a pattern one `fill_contiguous`; written
 /// colours go through `draw_iter`, because some of them may be absent.
 #[derive(Debug)]
-pub struct OnDrawTarget<'d, D>(pub &'d mut D);
+pub struct OnDrawTarget<'d, D> {
+    display: &'d mut D,
+    bounds: Rect,
+}
+
+impl<'d, D: DrawTarget> OnDrawTarget<'d, D> {
+    /// Lends a display.
+    pub fn new(display: &'d mut D) -> Self {
+        let bounds = display.bounding_box().into();
+        Self { display, bounds }
+    }
+}
 
 impl<D: DrawTarget> Target for OnDrawTarget<'_, D> {
     type Color = D::Color;
     type Error = D::Error;
 
     fn bounds(&self) -> Rect {
-        self.0.bounding_box().into()
+        self.bounds
     }
 
     fn fill_run(&mut self, row: i32, columns: Range<i32>, ink: &impl Ink<Color = D::Color>) -> Result<(), D::Error> {
-        let Some(columns) = self.bounds().clip_run(row, columns) else { return Ok(()) };
-        let area = Rect::new(columns.start, row, columns.end, row.saturating_add(1)).into();
+        let Some(columns) = self.bounds.clip_run(row, columns) else { return Ok(()) };
+        let area = run_area(row, &columns);
         let four = ink.four(row);
         if four == [four[0]; 4] {
-            self.0.fill_solid(&area, four[0])
+            self.display.fill_solid(&area, four[0])
         } else {
-            self.0.fill_contiguous(&area, columns.map(|column| phase(&four, column)))
+            self.display.fill_contiguous(&area, columns.map(|column| phase(&four, column)))
         }
     }
 
@@ -147,13 +159,47 @@ impl<D: DrawTarget> Target for OnDrawTarget<'_, D> {
         columns: Range<i32>,
         colors: impl Iterator<Item = Option<D::Color>>,
     ) -> Result<(), D::Error> {
-        let bounds = self.bounds();
+        let bounds = self.bounds;
         let pixel = |(column, color): (i32, Option<D::Color>)| {
-            let inside = bounds.clip_run(row, column..column.saturating_add(1)).is_some();
-            color.filter(|_| inside).map(|color| Pixel(Point::new(column, row), color))
+            let point = Point::new(column, row);
+            color.filter(|_| bounds.contains(point)).map(|color| Pixel(point, color))
         };
-        self.0.draw_iter(columns.zip(colors).filter_map(pixel))
+        self.display.draw_iter(columns.zip(colors).filter_map(pixel))
     }
+}
+
+/// Fills the spans of a shape on a display with one colour.
+#[derive(Debug)]
+pub(crate) struct Paint<'d, D: DrawTarget> {
+    display: &'d mut D,
+    bounds: Rect,
+    color: D::Color,
+}
+
+impl<'d, D: DrawTarget> Paint<'d, D> {
+    pub(crate) fn new(display: &'d mut D, color: D::Color) -> Self {
+        let bounds = display.bounding_box().into();
+        Self { display, bounds, color }
+    }
+}
+
+impl<D: DrawTarget> Sink for Paint<'_, D> {
+    type Error = D::Error;
+
+    fn bounds(&self) -> Rect {
+        self.bounds
+    }
+
+    #[inline]
+    fn span(&mut self, row: i32, columns: Range<i32>, (): ()) -> Result<(), D::Error> {
+        self.display.fill_solid(&run_area(row, &columns), self.color)
+    }
+}
+
+/// A run that is not empty, as a rectangle.
+#[inline]
+fn run_area(row: i32, columns: &Range<i32>) -> Rectangle {
+    Rectangle::new(Point::new(columns.start, row), Size::new(columns.start.abs_diff(columns.end), 1))
 }
 
 /// The colours of the visible part of an area whose colours come row by row.

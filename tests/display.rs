@@ -101,7 +101,7 @@ fn draw_in_way<C: Code, L: Layout<C>>(way: u8, frame: &mut Frame<C, L, &mut [u8]
     let pixels = places(bounds).zip(colors).map(|((x, y), &color)| Pixel(Point::new(x, y), color));
     match way {
         0 => fill_runs(frame, colors),
-        1 => fill_runs(&mut OnDrawTarget(frame), colors),
+        1 => fill_runs(&mut OnDrawTarget::new(frame), colors),
         2 => write_runs(frame, colors),
         3 => frame.draw_iter(pixels).unwrap_or_else(|never| match never {}),
         _ => frame.fill_contiguous(&bounds.into(), colors.iter().copied()).unwrap_or_else(|never| match never {}),
@@ -231,7 +231,7 @@ proptest! {
     #[test]
     fn a_borrowed_display_is_asked_for_no_pixel_twice_and_for_none_outside(step in run_step()) {
         // This one panics where it is.
-        step.draw_run(&mut OnDrawTarget(&mut MockDisplay::<Gray4>::new()));
+        step.draw_run(&mut OnDrawTarget::new(&mut MockDisplay::<Gray4>::new()));
     }
 
     #[test]
@@ -250,9 +250,9 @@ fn draw_steps<C: Code + Debug, L: Layout<C>>(packing: Packing, width: u32, heigh
 
 fn draw_run<C: Code + Debug, L: Layout<C>>(packing: Packing, width: u32, height: u32, step: &Step) {
     let mut expected = Reference::<C>::new(width, height);
-    step.draw_run(&mut OnDrawTarget(&mut expected));
+    step.draw_run(&mut OnDrawTarget::new(&mut expected));
     conform::<C, L>(packing, &expected, |frame| step.draw_run(frame));
-    conform::<C, L>(packing, &expected, |frame| step.draw_run(&mut OnDrawTarget(frame)));
+    conform::<C, L>(packing, &expected, |frame| step.draw_run(&mut OnDrawTarget::new(frame)));
 }
 
 fn draw_everything<C: Code + Debug + From<Gray8>, L: Layout<C>>(packing: Packing, width: u32, height: u32, at: Point) {

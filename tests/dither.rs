@@ -211,7 +211,7 @@ fn dither_in_pieces<C: Code + Debug, L: Layout<C>>(
 ) {
     let (width, height) = (lights[0].len(), lights.len());
     let mut whole = Reference::<C>::new(size_u32(width), size_u32(height));
-    write_lights(&mut OnDrawTarget(&mut whole), method, lights, (0..width, 0..height));
+    write_lights(&mut OnDrawTarget::new(&mut whole), method, lights, (0..width, 0..height));
     conform::<C, L>(packing, &whole, |frame| {
         for rows in [row..height, 0..row] {
             for columns in [column..width, 0..column] {

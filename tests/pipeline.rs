@@ -249,7 +249,7 @@ fn cube_on_display(left: usize) -> (Display, Result<(), DrawError<&'static str>>
     let cube = cube();
     let mesh = cube.mesh();
     let mut display = Display { pixels: vec![None; 32 * 24], left };
-    let mut on_display = OnDrawTarget(&mut display);
+    let mut on_display = OnDrawTarget::new(&mut display);
     let mut light = Dithered::new(&mut on_display, Levels::ONE_BIT);
     let instance = Instance { mesh, placement: turned(0x1400, 0x1700) };
     let result = draw(&[instance], &camera(VIEW), VIEW, &mut light);

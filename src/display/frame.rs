@@ -44,6 +44,8 @@ pub struct Frame<C, L, B> {
     width: u32,
     height: u32,
     spacing: Spacing,
+    /// The byte behind the last line.
+    end: usize,
     packing: PhantomData<(C, L)>,
 }
 
@@ -112,7 +114,7 @@ impl<C: Code, L: Layout<C>, const N: usize> Frame<C, L, [u8; N]> {
         if N < needed {
             return Err(TooSmall { needed });
         }
-        Ok(Self { bytes, width, height, spacing, packing: PhantomData })
+        Ok(Self { bytes, width, height, spacing, end: needed, packing: PhantomData })
     }
 }
 
@@ -141,7 +143,7 @@ impl<C: Code, L: Layout<C>, B: AsRef<[u8]>> Frame<C, L, B> {
         if bytes.as_ref().len() < needed {
             return Err(TooSmall { needed });
         }
-        Ok(Self { bytes, width, height, spacing, packing: PhantomData })
+        Ok(Self { bytes, width, height, spacing, end: needed, packing: PhantomData })
     }
 
     /// The bytes of the picture in the order in which the panel takes them, gaps included, from the
@@ -154,8 +156,7 @@ impl<C: Code, L: Layout<C>, B: AsRef<[u8]>> Frame<C, L, B> {
     /// All bytes, those before the first line too.
     #[must_use]
     pub fn memory(&self) -> &[u8] {
-        let end = Frame::<C, L, ()>::end(self.width, self.height, self.spacing);
-        self.bytes.as_ref().get(..end).unwrap_or(&[])
+        self.bytes.as_ref().get(..self.end).unwrap_or(&[])
     }
 
     /// The bytes of one plane, counted from 0; empty where the layout has fewer.
@@ -179,8 +180,7 @@ impl<C: Code, L: Layout<C>, B: AsMut<[u8]>> Frame<C, L, B> {
     }
 
     fn lines_mut(&mut self) -> Memory<&mut [u8]> {
-        let end = Frame::<C, L, ()>::end(self.width, self.height, self.spacing);
-        let bytes = self.bytes.as_mut().get_mut(self.spacing.before..end).unwrap_or_default();
+        let bytes = self.bytes.as_mut().get_mut(self.spacing.before..self.end).unwrap_or_default();
         Memory { bytes, stride: self.spacing.stride }
     }
 
@@ -238,7 +238,7 @@ impl<C: Code, L: Layout<C>, B: AsMut<[u8]>> DrawTarget for Frame<C, L, B> {
         let bounds = self.rect();
         for Pixel(point, color) in pixels {
             if bounds.contains(point) {
-                L::write(self.lines_mut(), index(point.y), index(point.x), core::iter::once(Some(color.code())));
+                L::set(self.lines_mut(), index(point.y), index(point.x), color.code());
             }
         }
         Ok(())

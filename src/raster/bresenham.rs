@@ -25,20 +25,14 @@
 use core::ops::Range;
 
 use embedded_graphics::{
+    Pixel,
     draw_target::DrawTarget,
     geometry::{Dimensions, Point, Size},
     pixelcolor::PixelColor,
     primitives::{Primitive, Rectangle, StyledDimensions, StyledDrawable},
 };
 
-use crate::{
-    num::saturate_u32,
-    outcode::Outcode,
-    space::Rect,
-    span::Sink,
-    style::StrokeStyle,
-    target::{Brush, OnDrawTarget, Solid},
-};
+use crate::{num::saturate_u32, outcode::Outcode, space::Rect, span::Sink, style::StrokeStyle, target::Paint};
 
 /// A line of single pixels, both ends included. Right for all coordinates.
 ///
@@ -203,6 +197,21 @@ impl Walk {
         turns
     }
 
+    /// Whether filling runs costs less than setting pixels: two or more to a row, on average.
+    const fn runs_are_long(&self) -> bool {
+        !self.is_steep && self.along / 2 >= self.across
+    }
+
+    /// The pixels, one by one.
+    fn points(mut self, steps: u64) -> impl Iterator<Item = Point> {
+        let is_steep = self.is_steep;
+        (0..steps).map(move |_| {
+            let (major, minor) = (self.major, self.minor);
+            self.advance();
+            if is_steep { Point::new(minor, major) } else { Point::new(major, minor) }
+        })
+    }
+
     /// Driving axis horizontal: pixels of one row are one span.
     fn flat<S: Sink>(mut self, steps: u64, sink: &mut S) -> Result<(), S::Error> {
         let (mut row, mut from) = (self.minor, self.major);
@@ -246,6 +255,16 @@ impl<C: PixelColor> StyledDrawable<StrokeStyle<C>> for Line {
     type Output = ();
 
     fn draw_styled<D: DrawTarget<Color = C>>(&self, style: &StrokeStyle<C>, target: &mut D) -> Result<(), D::Error> {
-        self.spans(&mut Brush::new(&mut OnDrawTarget(target), Solid(style.color)))
+        let bounds = Rect::from(target.bounding_box());
+        if self.start.x == self.end.x || self.start.y == self.end.y {
+            let visible = bounds.intersection(self.bounding_box().into());
+            return if visible.is_empty() { Ok(()) } else { target.fill_solid(&visible.into(), style.color) };
+        }
+        let Some((walk, steps)) = Walk::of(self, bounds) else { return Ok(()) };
+        if walk.runs_are_long() {
+            walk.flat(steps, &mut Paint::new(target, style.color))
+        } else {
+            target.draw_iter(walk.points(steps).map(|point| Pixel(point, style.color)))
+        }
     }
 }

@@ -32,7 +32,7 @@ use crate::{
     space::{Point2, Rect},
     span::Sink,
     style::{FillStyle, Rule},
-    target::{Brush, OnDrawTarget, Solid},
+    target::Paint,
 };
 
 /// Closed contours of straight edges. The last vertex of each is joined to its first.
@@ -279,6 +279,6 @@ impl<C: PixelColor> StyledDrawable<FillStyle<C>> for Polygon<'_> {
     /// Lends the fill a list of 16 active edges on the stack, 448 bytes.
     fn draw_styled<D: DrawTarget<Color = C>>(&self, style: &FillStyle<C>, target: &mut D) -> Result<(), D::Error> {
         let mut active = Vec::<ActiveEdge, 16>::new();
-        self.spans(style.rule, &mut active, &mut Brush::new(&mut OnDrawTarget(target), Solid(style.color)))
+        self.spans(style.rule, &mut active, &mut Paint::new(target, style.color))
     }
 }

@@ -44,7 +44,7 @@ where
     D: DrawTarget<Color: Code, Error = Infallible>,
 {
     let Rect { right, bottom, .. } = target.bounding_box().into();
-    let mut on_target = OnDrawTarget(target);
+    let mut on_target = OnDrawTarget::new(target);
     let mut dithered = Dithered::new(&mut on_target, levels);
     let end = right + 3 * bottom;
     for row in 0..bottom {

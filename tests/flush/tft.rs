@@ -31,7 +31,7 @@ where
     D: DrawTarget<Color: From<Gray4>>,
 {
     let mut greys = display.color_converted::<Gray4>();
-    let mut target = OnDrawTarget(&mut greys);
+    let mut target = OnDrawTarget::new(&mut greys);
     let mut dithered = Dithered::new(&mut target, Levels::SRGB_16);
     let columns = dithered.bounds().columns();
     for row in rows {
@@ -148,7 +148,7 @@ fn changing_light_without_a_frame_costs_a_window_for_each_pixel() {
     let (bus, mut buffer) = (Bus::default(), [0; 512]);
     let mut display = set_up(&bus, &mut buffer);
     let mut greys = display.color_converted::<Gray4>();
-    let mut target = OnDrawTarget(&mut greys);
+    let mut target = OnDrawTarget::new(&mut greys);
     let ramp = (0..8).map(|step| Some(Light(8000 * step)));
     Dithered::new(&mut target, Levels::SRGB_16).write_run(0, 0..8, ramp).expect("infallible");
 

@@ -4,7 +4,7 @@ use core::{marker::PhantomData, ops::Range};
 
 use embedded_graphics::pixelcolor::raw::RawU1;
 
-use super::{Layout, Memory, MsbFirst, Order, Shape, fill_bits, merge, phase, spread};
+use super::{BitRun, Layout, Memory, MsbFirst, Order, Shape, merge, phase, spread};
 use crate::{num::low_index, target::Code};
 
 /// Columns of pixels from the top, each padded to whole bytes: rows of a panel that is mounted on
@@ -27,7 +27,7 @@ impl<C: Code<Raw = RawU1>, O: Order> Layout<C> for Columns<O> {
 
     fn fill(memory: Memory<&mut [u8]>, rows: Range<usize>, columns: Range<usize>, codes: [u8; 4]) {
         for (column, line) in columns.clone().zip(memory.lines(columns)) {
-            fill_bits::<O>(line, rows.clone(), [spread(phase(codes, column)); 4]);
+            BitRun::new::<O>(rows.clone(), u32::from_ne_bytes([spread(phase(codes, column)); 4])).fill(line);
         }
     }
 

@@ -30,7 +30,10 @@ pub use rows::Rows;
 
 use core::{marker::PhantomData, ops::Range};
 
-use crate::{num::count, target::Code};
+use crate::{
+    num::{count, low_index, low_u8},
+    target::Code,
+};
 
 /// Which end of a byte holds the first of its pixels.
 pub trait Order: sealed::Sealed {
@@ -73,6 +76,12 @@ pub trait Layout<C: Code>: sealed::Sealed {
 
     /// Gives the pixels from a column on one code each; `None` is skipped. They end inside.
     fn write(memory: Memory<&mut [u8]>, row: usize, column: usize, codes: impl Iterator<Item = Option<u8>>);
+
+    /// Gives one pixel inside a code.
+    #[inline]
+    fn set(memory: Memory<&mut [u8]>, row: usize, column: usize, code: u8) {
+        Self::write(memory, row, column, core::iter::once(Some(code)));
+    }
 
     /// The code of a pixel inside.
     fn read(memory: Memory<&[u8]>, row: usize, column: usize) -> Option<u8>;
@@ -123,12 +132,40 @@ impl<'m> Memory<&'m mut [u8]> {
         self.bytes.get_mut(index.checked_mul(self.stride)?..)
     }
 
-    /// The lines from one on.
+    /// A byte of a line.
     #[inline]
-    fn lines(self, range: Range<usize>) -> impl Iterator<Item = &'m mut [u8]> {
-        let start = range.start.saturating_mul(self.stride);
-        let bytes = self.bytes.get_mut(start..).unwrap_or(&mut []);
-        bytes.chunks_mut(self.stride.max(1)).take(range.end.saturating_sub(range.start))
+    fn byte(self, line: usize, byte: usize) -> Option<&'m mut u8> {
+        self.bytes.get_mut(line.wrapping_mul(self.stride).wrapping_add(byte))
+    }
+
+    /// The lines of a range, the last of them with what follows it.
+    #[inline]
+    fn lines(self, range: Range<usize>) -> Lines<'m> {
+        let bytes = self.bytes.get_mut(range.start.saturating_mul(self.stride)..).unwrap_or(&mut []);
+        Lines { bytes, stride: self.stride, left: range.end.saturating_sub(range.start) }
+    }
+}
+
+/// Lines of bytes, one after the other.
+struct Lines<'m> {
+    bytes: &'m mut [u8],
+    stride: usize,
+    left: usize,
+}
+
+impl<'m> Iterator for Lines<'m> {
+    type Item = &'m mut [u8];
+
+    #[inline]
+    fn next(&mut self) -> Option<&'m mut [u8]> {
+        self.left = self.left.checked_sub(1)?;
+        let bytes = core::mem::take(&mut self.bytes);
+        if self.left == 0 {
+            return Some(bytes);
+        }
+        let (line, rest) = bytes.split_at_mut_checked(self.stride)?;
+        self.bytes = rest;
+        Some(line)
     }
 }
 
@@ -153,6 +190,10 @@ impl<C: Code, L: Layout<C>> Layout<C> for Inverted<L> {
 
     fn write(memory: Memory<&mut [u8]>, row: usize, column: usize, codes: impl Iterator<Item = Option<u8>>) {
         L::write(memory, row, column, codes.map(|code| code.map(|code| !code)));
+    }
+
+    fn set(memory: Memory<&mut [u8]>, row: usize, column: usize, code: u8) {
+        L::set(memory, row, column, !code);
     }
 
     fn read(memory: Memory<&[u8]>, row: usize, column: usize) -> Option<u8> {
@@ -189,38 +230,66 @@ const fn phase(four: [u8; 4], index: usize) -> u8 {
     }
 }
 
-/// Replaces the bits from `bits.start` up to, not including, `bits.end` of a line, counted in order `O`
-/// from its first byte, by those of four bytes that repeat over the line.
-#[inline]
-fn fill_bits<O: Order>(line: &mut [u8], bits: Range<usize>, pattern: [u8; 4]) {
-    let (first, last) = (bits.start / 8, bits.end.saturating_sub(1) / 8);
-    let (before, after) = (bits.start % 8, (8 - bits.end % 8) % 8);
-    let (head, tail) =
-        if O::MSB_FIRST { (0xFF_u8 >> before, 0xFF_u8 << after) } else { (0xFF_u8 << before, 0xFF_u8 >> after) };
-    let byte = |index: usize| phase(pattern, index);
-    let Some(window) = line.get_mut(first..=last) else { return };
-    match window {
-        [] => {}
-        [only] => merge(only, head & tail, byte(first)),
-        [left, middle @ .., right] => {
-            merge(left, head, byte(first));
-            fill_bytes(middle, [byte(first + 1), byte(first + 2), byte(first + 3), byte(first + 4)]);
-            merge(right, tail, byte(last));
+/// A run of bits that is filled in one line or in several: which bytes it touches, and how.
+#[derive(Clone, Copy, Debug)]
+struct BitRun {
+    first: usize,
+    last: usize,
+    /// The bits of the first and of the last byte that are in the run.
+    head: u8,
+    tail: u8,
+    /// Four bytes that repeat over the line, turned so that the run's first byte comes first.
+    pattern: u32,
+    /// What the last byte becomes.
+    right: u8,
+}
+
+impl BitRun {
+    /// The bits from `bits.start` up to, not including, `bits.end` of a line, counted in order `O` from its
+    /// first byte; the big end of `pattern` is for bytes 0, 4, 8 … of the line.
+    #[inline]
+    fn new<O: Order>(bits: Range<usize>, pattern: u32) -> Self {
+        let (first, last) = (bits.start / 8, bits.end.saturating_sub(1) / 8);
+        let (before, after) = (low_index(bits.start) % 8, low_index(8_usize.wrapping_sub(bits.end % 8)) % 8);
+        let (head, tail) =
+            if O::MSB_FIRST { (0xFF_u8 >> before, 0xFF_u8 << after) } else { (0xFF_u8 << before, 0xFF_u8 >> after) };
+        let from = |byte: usize| pattern.rotate_left(8 * (low_index(byte) & 3));
+        Self { first, last, head, tail, pattern: from(first), right: low_u8(from(last) >> 24) }
+    }
+
+    /// Fills the run in a line.
+    #[inline]
+    fn fill(&self, line: &mut [u8]) {
+        let left = low_u8(self.pattern >> 24);
+        match line.get_mut(self.first..=self.last) {
+            Some([only]) => merge(only, self.head & self.tail, left),
+            Some([first, middle @ .., last]) => {
+                merge(first, self.head, left);
+                fill_bytes(middle, self.pattern.rotate_left(8));
+                merge(last, self.tail, self.right);
+            }
+            _ => {}
         }
     }
 }
 
-/// Fills whole bytes with four that repeat.
+/// Fills whole bytes with four that repeat, the big end first.
 #[inline]
-fn fill_bytes(bytes: &mut [u8], four: [u8; 4]) {
-    if four == [four[0]; 4] {
+fn fill_bytes(bytes: &mut [u8], pattern: u32) {
+    let four = pattern.to_be_bytes();
+    // The call of a block fill pays from some words on.
+    if bytes.len() >= 32 && pattern == pattern.rotate_left(8) {
         bytes.fill(four[0]);
         return;
     }
-    for chunk in bytes.chunks_mut(4) {
-        for (byte, value) in chunk.iter_mut().zip(four) {
+    let mut words = bytes.chunks_exact_mut(4);
+    for word in &mut words {
+        for (byte, value) in word.iter_mut().zip(four) {
             *byte = value;
         }
+    }
+    for (byte, value) in words.into_remainder().iter_mut().zip(four) {
+        *byte = value;
     }
 }
 

@@ -47,6 +47,13 @@ impl<C: Code<Raw = RawU1>, O: Order> Layout<C> for Pages<O> {
         }
     }
 
+    #[inline]
+    fn set(memory: Memory<&mut [u8]>, row: usize, column: usize, code: u8) {
+        if let Some(byte) = memory.byte(row / 8, column) {
+            merge(byte, bits_of::<O>(row % 8..row % 8 + 1), spread(code));
+        }
+    }
+
     fn read(memory: Memory<&[u8]>, row: usize, column: usize) -> Option<u8> {
         let mask = bits_of::<O>(row % 8..row % 8 + 1);
         memory.line(row / 8)?.get(column).map(|byte| u8::from(byte & mask != 0))

@@ -4,7 +4,7 @@ use core::{marker::PhantomData, ops::Range};
 
 use embedded_graphics::pixelcolor::raw::RawU2;
 
-use super::{Layout, Memory, MsbFirst, Order, Shape, fill_bits, merge, spread};
+use super::{BitRun, Layout, Memory, MsbFirst, Order, Shape, merge, spread};
 use crate::{num::low_index, target::Code};
 
 /// Rows of the low bits of all codes, then rows of the high bits: e-paper of four greys or of three
@@ -21,10 +21,9 @@ impl<C: Code<Raw = RawU2>, O: Order> Layout<C> for Planes<O> {
     fn fill(memory: Memory<&mut [u8]>, rows: Range<usize>, columns: Range<usize>, codes: [u8; 4]) {
         let (low, high) = halves(memory);
         for (plane, shift) in [(low, 0), (high, 1)] {
-            let pattern = repeat::<O>(codes.map(|code| code >> shift));
-            for line in plane.lines(rows.clone()) {
-                fill_bits::<O>(line, columns.clone(), [pattern; 4]);
-            }
+            let pattern = u32::from_ne_bytes([repeat::<O>(codes.map(|code| code >> shift)); 4]);
+            let run = BitRun::new::<O>(columns.clone(), pattern);
+            plane.lines(rows.clone()).for_each(|line| run.fill(line));
         }
     }
 

@@ -2,7 +2,7 @@
 
 use core::{marker::PhantomData, ops::Range};
 
-use super::{Layout, Memory, MsbFirst, Order, Shape, fill_bits, merge};
+use super::{BitRun, Layout, Memory, MsbFirst, Order, Shape, fill_bytes, merge};
 use crate::{
     num::{low_index, saturate_u32},
     target::Code,
@@ -26,9 +26,17 @@ impl<C: Code, O: Order> Layout<C> for Rows<O> {
     #[inline]
     fn fill(memory: Memory<&mut [u8]>, rows: Range<usize>, columns: Range<usize>, codes: [u8; 4]) {
         let bits = C::BITS as usize;
-        let (bits, pattern) = (columns.start * bits..columns.end * bits, repeat_over_word::<C, O>(codes));
+        let pattern = repeat_over_word::<C, O>(codes);
+        let (start, end) = (columns.start * bits, columns.end * bits);
+        // Whole lines without gaps, all bytes alike: one block.
+        if start == 0 && end == 8 * memory.stride && pattern == pattern.rotate_left(8) {
+            let block = memory.bytes.get_mut(rows.start * memory.stride..rows.end * memory.stride);
+            fill_bytes(block.unwrap_or_default(), pattern);
+            return;
+        }
+        let run = BitRun::new::<O>(start..end, pattern);
         for line in memory.lines(rows) {
-            fill_bits::<O>(line, bits.clone(), pattern);
+            run.fill(line);
         }
     }
 
@@ -60,11 +68,19 @@ impl<C: Code, O: Order> Layout<C> for Rows<O> {
         }
     }
 
+    #[inline]
+    fn set(memory: Memory<&mut [u8]>, row: usize, column: usize, code: u8) {
+        let start = column * C::BITS as usize;
+        if let Some(byte) = memory.byte(row, start / 8) {
+            let (shift, mask) = (shift_of::<C, O>(start), 0xFF_u8 >> (8 - C::BITS));
+            merge(byte, mask << shift, (code & mask) << shift);
+        }
+    }
+
     fn read(memory: Memory<&[u8]>, row: usize, column: usize) -> Option<u8> {
         let (bits, start) = (C::BITS, column * C::BITS as usize);
         let byte = memory.line(row)?.get(start / 8)?;
-        let shift = if O::MSB_FIRST { 8 - bits - bit_of(start) } else { bit_of(start) };
-        Some((byte >> shift) & (0xFF >> (8 - bits)))
+        Some((byte >> shift_of::<C, O>(start)) & (0xFF >> (8 - bits)))
     }
 }
 
@@ -74,16 +90,22 @@ const fn bit_of(position: usize) -> u32 {
     low_index(position) % 8
 }
 
-/// The four codes, again and again over 32 bits: the bytes of a line from its left end.
+/// How far from the lowest bit of its byte a pixel is that begins at a bit of its line.
 #[inline]
-fn repeat_over_word<C: Code, O: Order>(codes: [u8; 4]) -> [u8; 4] {
+const fn shift_of<C: Code, O: Order>(start: usize) -> u32 {
+    if O::MSB_FIRST { 8 - C::BITS - bit_of(start) } else { bit_of(start) }
+}
+
+/// The four codes, again and again over the bytes of a line from its left end; the big end is the first.
+#[inline]
+fn repeat_over_word<C: Code, O: Order>(codes: [u8; 4]) -> u32 {
     let [a, b, c, d] = codes.map(|code| u64::from(code & (0xFF >> (8 - C::BITS))));
     let bits = C::BITS;
     let join = |a: u64, b, c, d| (((((a << bits) | b) << bits) | c) << bits) | d;
     let copies = u64::from(u32::MAX) / ((1 << (4 * bits)) - 1);
     if O::MSB_FIRST {
-        saturate_u32(join(a, b, c, d) * copies).to_be_bytes()
+        saturate_u32(join(a, b, c, d) * copies)
     } else {
-        saturate_u32(join(d, c, b, a) * copies).to_le_bytes()
+        saturate_u32(join(d, c, b, a) * copies).swap_bytes()
     }
 }
