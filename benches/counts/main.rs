@@ -19,10 +19,10 @@ use items::{Draw, Label, MEMORY, Surface, Visitor};
 
 fn main() -> ExitCode {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
-    if let [mode, name, who, draws] = &arguments[..]
+    if let [mode, wanted @ .., draws] = &arguments[..]
         && mode == valgrind::COUNTED
     {
-        valgrind::draw(&format!("{name} {who}"), draws != "0");
+        valgrind::draw(wanted, draws != "0");
         return ExitCode::SUCCESS;
     }
     let is_benchmark = arguments.iter().any(|argument| argument == "--bench");

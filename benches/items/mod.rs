@@ -5,6 +5,7 @@
 //! To add an item, write a function and name it in `both` (drawn by the peers too) or `alone`. To
 //! add another kind of scene, or other peers, write a function like [`panel`] and call it in [`all`].
 
+mod bands;
 mod peers;
 mod pictures;
 mod scene;
@@ -19,7 +20,8 @@ use embedded_graphics::{
     },
 };
 
-pub use peers::Surface;
+use bands::Bands;
+pub use peers::{Shapes, Surface};
 
 /// The longest picture: 400 × 240 at one bit.
 pub const MEMORY: usize = 12_000;
@@ -51,12 +53,12 @@ pub trait Visitor {
 
 /// Draws nothing: what calling an item costs.
 #[expect(clippy::unnecessary_wraps, reason = "called in place of an item")]
-pub fn nothing<S: Surface>(_surface: &mut S) -> Result<(), S::Error> {
+pub fn nothing<S: Shapes>(_surface: &mut S) -> Result<(), S::Error> {
     Ok(())
 }
 
 /// Makes every pixel dark.
-pub fn darken<S: Surface>(surface: &mut S) -> Result<(), S::Error> {
+pub fn darken<S: Shapes>(surface: &mut S) -> Result<(), S::Error> {
     surface.clear(BinaryColor::Off.into())
 }
 
@@ -88,6 +90,8 @@ where
     for &(item, draw) in scene::both().iter().chain(scene::alone()) {
         visitor.visit(Label { item, panel: name, who: OURS }, &mut frame, draw);
     }
+    let mut bands = Bands::<C, L>::new(memory, width, height);
+    visitor.visit(Label { item: "eight_bands", panel: name, who: OURS }, &mut bands, Bands::draw);
 }
 
 /// Shows the items that a peer can draw, on a surface of its own.

@@ -2,7 +2,7 @@
 
 use core::{convert::Infallible, fmt::Debug};
 
-use aquatint::{Code, FillStyle, Frame, Line, Point2, Polygon, StrokeStyle, display::layout::Layout};
+use aquatint::{Code, FillStyle, Frame, Line, Point2, Polygon, StrokeStyle, Window, display::layout::Layout};
 use display_interface::{DataFormat, DisplayError, WriteOnlyDataCommand};
 use embedded_graphics::{
     Drawable,
@@ -14,8 +14,8 @@ use embedded_graphics::{
 };
 use ssd1306::{Ssd1306, mode::BufferedGraphicsMode, prelude::*};
 
-/// A picture in memory, and the shapes that not everybody draws by embedded-graphics.
-pub trait Surface: DrawTarget<Color: From<BinaryColor>, Error: Debug> + Sized {
+/// The shapes that not everybody draws by embedded-graphics; these are embedded-graphics' own.
+pub trait Shapes: DrawTarget<Color: From<BinaryColor>, Error: Debug> + Sized {
     /// A line one pixel wide.
     fn line(&mut self, [start, end]: [Point; 2], color: Self::Color) -> Result<(), Self::Error> {
         primitives::Line::new(start, end).into_styled(PrimitiveStyle::with_stroke(color, 1)).draw(self)
@@ -25,24 +25,43 @@ pub trait Surface: DrawTarget<Color: From<BinaryColor>, Error: Debug> + Sized {
     fn triangle(&mut self, [a, b, c]: [Point; 3], color: Self::Color) -> Result<(), Self::Error> {
         primitives::Triangle::new(a, b, c).into_styled(PrimitiveStyle::with_fill(color)).draw(self)
     }
+}
 
+/// A whole picture in memory.
+pub trait Surface: Shapes {
     /// Shows the packed picture to `look`, in the same order for all who draw on the same panel.
     #[cfg_attr(target_os = "none", expect(dead_code, reason = "pictures are compared on the desk"))]
     fn picture(&self, look: impl FnOnce(&[u8]));
 }
 
-impl<C: Code + From<BinaryColor>, L: Layout<C>> Surface for Frame<C, L, &mut [u8]> {
-    fn line(&mut self, [start, end]: [Point; 2], color: C) -> Result<(), Infallible> {
-        Line::new(start, end).into_styled(StrokeStyle::new(color)).draw(self)
+impl<C: Code + From<BinaryColor>, L: Layout<C>> Shapes for Frame<C, L, &mut [u8]> {
+    fn line(&mut self, ends: [Point; 2], color: C) -> Result<(), Infallible> {
+        stroke(ends, color, self)
     }
 
     fn triangle(&mut self, corners: [Point; 3], color: C) -> Result<(), Infallible> {
         fill(&corners.map(|Point { x, y }| Point2::corner(x, y)), color, self)
     }
+}
 
+impl<T: Shapes> Shapes for Window<'_, T> {
+    fn line(&mut self, ends: [Point; 2], color: T::Color) -> Result<(), T::Error> {
+        stroke(ends, color, self)
+    }
+
+    fn triangle(&mut self, corners: [Point; 3], color: T::Color) -> Result<(), T::Error> {
+        fill(&corners.map(|Point { x, y }| Point2::corner(x, y)), color, self)
+    }
+}
+
+impl<C: Code + From<BinaryColor>, L: Layout<C>> Surface for Frame<C, L, &mut [u8]> {
     fn picture(&self, look: impl FnOnce(&[u8])) {
         look(self.bytes());
     }
+}
+
+fn stroke<D: DrawTarget>([start, end]: [Point; 2], color: D::Color, target: &mut D) -> Result<(), D::Error> {
+    Line::new(start, end).into_styled(StrokeStyle::new(color)).draw(target)
 }
 
 /// Fills one contour.
@@ -51,6 +70,13 @@ pub fn fill<D: DrawTarget>(corners: &[Point2], color: D::Color, target: &mut D) 
     // Corners out of range would show as a picture that differs from the peer's, or is empty.
     let Ok(polygon) = Polygon::new(&contours) else { return Ok(()) };
     polygon.into_styled(FillStyle::new(color)).draw(target)
+}
+
+impl<C, R, O, const W: usize, const H: usize, const N: usize> Shapes for Framebuffer<C, R, O, W, H, N>
+where
+    C: PixelColor<Raw = R> + From<BinaryColor>,
+    Self: DrawTarget<Color = C, Error = Infallible>,
+{
 }
 
 impl<C, R, O, const W: usize, const H: usize, const N: usize> Surface for Framebuffer<C, R, O, W, H, N>
@@ -70,6 +96,8 @@ pub fn ssd1306() -> Oled {
     let bus = Bus { bytes: [0; 1024], sent: 0 };
     Ssd1306::new(bus, DisplaySize128x64, DisplayRotation::Rotate0).into_buffered_graphics_mode()
 }
+
+impl Shapes for Oled {}
 
 impl Surface for Oled {
     /// What the driver would send, because it does not show its buffer: the whole picture, since it

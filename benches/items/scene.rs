@@ -15,13 +15,13 @@ use embedded_graphics::{
 };
 
 use super::{
-    Item, Surface,
-    peers::fill,
+    Item,
+    peers::{Shapes, fill},
     pictures::{PHOTO_WIDTH, bits, photo},
 };
 
 /// What the peers draw too.
-pub fn both<'s, S: Surface>() -> &'s [Item<S>] {
+pub fn both<'s, S: Shapes>() -> &'s [Item<S>] {
     &[
         ("clear", clear),
         ("rect_fill", rect_fill),
@@ -33,6 +33,7 @@ pub fn both<'s, S: Surface>() -> &'s [Item<S>] {
         ("tri_fill", tri_fill),
         ("text", text),
         ("blit", blit),
+        ("one_frame", one_frame),
     ]
 }
 
@@ -51,31 +52,39 @@ fn on<C: PixelColor + From<BinaryColor>>() -> C {
     black_box(BinaryColor::On).into()
 }
 
-fn clear<S: Surface>(surface: &mut S) -> Result<(), S::Error> {
+fn clear<S: Shapes>(surface: &mut S) -> Result<(), S::Error> {
     surface.clear(on())
 }
 
-fn rect_fill<S: Surface>(surface: &mut S) -> Result<(), S::Error> {
+fn rect_fill<S: Shapes>(surface: &mut S) -> Result<(), S::Error> {
     let area = black_box(Rectangle::new(Point::new(3, 5), Size::new(100, 50)));
     area.into_styled(PrimitiveStyle::with_fill(on())).draw(surface)
 }
 
-fn line<S: Surface>(surface: &mut S, ends: [(i32, i32); 2]) -> Result<(), S::Error> {
+fn line<S: Shapes>(surface: &mut S, ends: [(i32, i32); 2]) -> Result<(), S::Error> {
     surface.line(black_box(ends).map(Point::from), on())
 }
 
-fn tri_fill<S: Surface>(surface: &mut S) -> Result<(), S::Error> {
+fn tri_fill<S: Shapes>(surface: &mut S) -> Result<(), S::Error> {
     surface.triangle(black_box([Point::new(12, 4), Point::new(98, 20), Point::new(45, 56)]), on())
 }
 
 /// Twenty characters.
-fn text<S: Surface>(surface: &mut S) -> Result<(), S::Error> {
+fn text<S: Shapes>(surface: &mut S) -> Result<(), S::Error> {
     let style = MonoTextStyle::new(&FONT_6X10, on());
     Text::new(black_box("Aquatint draws fonts"), black_box(Point::new(3, 30)), style).draw(surface).map(drop)
 }
 
-fn blit<S: Surface>(surface: &mut S) -> Result<(), S::Error> {
+fn blit<S: Shapes>(surface: &mut S) -> Result<(), S::Error> {
     Image::new(&bits(), black_box(Point::new(5, 0))).draw(&mut surface.color_converted())
+}
+
+/// A whole picture, for comparison with the same one drawn band by band.
+pub fn one_frame<S: Shapes>(surface: &mut S) -> Result<(), S::Error> {
+    rect_fill(surface)?;
+    line(surface, [(7, 9), (106, 34)])?;
+    tri_fill(surface)?;
+    text(surface)
 }
 
 /// Twelve vertices, area 1172.
