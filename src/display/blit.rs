@@ -22,7 +22,7 @@ mod rows;
 mod scroll;
 
 use core::{
-    iter::{repeat, zip},
+    iter::zip,
     marker::PhantomData,
     ops::{BitAnd, BitXor, Not},
 };
@@ -200,13 +200,7 @@ impl<'a, C: Code> Bitmap<'a, C> {
     ///
     /// # Errors
     /// [`TooSmall`] for the frame, and nothing is drawn.
-    pub fn draw_on_rows(
-        &self,
-        target: &mut [u8],
-        geometry: Geometry,
-        at: Point,
-        op: RasterOp,
-    ) -> Result<(), TooSmall> {
+    pub fn draw_on_rows(&self, target: &mut [u8], geometry: Geometry, at: Point, op: RasterOp) -> Result<(), TooSmall> {
         geometry.check_rows(target.len(), C::BITS)?;
         let Some(part) = Part::new(self.area, geometry.size, at) else { return Ok(()) };
         let strides = (geometry.stride.max(1), row_bytes(self.width, C::BITS).max(1));
@@ -248,11 +242,7 @@ impl<C: Code<Raw = RawU1>> Bitmap<'_, C> {
         let stride = row_bytes(self.width, 1).max(1);
         for page in part.pages() {
             let bytes = page.bytes(target, geometry.stride);
-            let source = page.blocks_of_rows(self.bytes, stride);
-            match self.mask {
-                None => page.merge(bytes, zip(source, repeat(u64::MAX)), op),
-                Some(mask) => page.merge(bytes, zip(source, page.blocks_of_rows(mask, stride)), op),
-            }
+            page.merge_rows(bytes, (self.bytes, self.mask), stride, op);
         }
         Ok(())
     }
@@ -302,10 +292,9 @@ impl<'a> PageBitmap<'a> {
     ) -> Result<(), TooSmall> {
         geometry.check_pages(target.len())?;
         let Some(part) = Part::new(Rect::of_size(self.geometry.size), geometry.size, at) else { return Ok(()) };
-        for page in part.pages().map(|page| Page { hidden: 0, ..page }) {
+        for page in part.pages() {
             let bytes = page.bytes(target, geometry.stride);
-            let source = page.blocks_of_pages(self.bytes, self.geometry.stride);
-            page.merge(bytes, zip(source, repeat(u64::MAX)), op);
+            page.merge_pages(bytes, self.bytes, self.geometry.stride, op);
         }
         Ok(())
     }
@@ -340,7 +329,7 @@ impl Part {
             let (first, end) = (top.max(page * 8), bottom.min(page * 8 + 8));
             let columns = index(self.area.left)..index(self.area.right);
             let (column, row) = (self.column, self.row + (first - top));
-            Page { index: page, columns, column, hidden: column % 8, row, rows: end - first, below: low_index(first % 8) }
+            Page { index: page, columns, column, row, rows: end - first, below: low_index(first % 8) }
         })
     }
 }

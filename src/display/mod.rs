@@ -10,9 +10,12 @@
 //!   light ──levels, 4×4 dither──▶ codes ──layout──▶ bytes of the frame ──▶ bus
 //! ```
 
+pub mod blit;
 pub mod dither;
 pub mod frame;
 pub mod layout;
 pub mod level;
+pub mod reencode;
+pub mod transpose;
 pub mod turned;
 pub mod window;

@@ -13,13 +13,14 @@
 //!   bit      7 6 5 4 3 2 1 0            byte    0 1 2 3 4 5 6 7
 //! ```
 //!
-//! - **Method** the block is one `u64`; three steps swap bits 7, 14 and 28 places apart, which are
-//!   the halves of 2 × 2, 4 × 4 and 8 × 8 blocks: H. S. Warren, *Hacker's Delight*, 2nd edition,
-//!   section 7-3. Which end of a byte comes first is only a matter of the order of the bytes.
-//! - **Cost** about 40 instructions a block on a desk: a picture of 128 × 64 pixels is 128 blocks.
-//! - **Memory** none.
+//! - **Method** eight rows of 64 pixels are eight words. Three steps exchange the halves of blocks of
+//!   8 × 8, 4 × 4 and 2 × 2 bits between two words each, for eight blocks at once; three more do
+//!   the same with bytes, so that each word is a block: H. S. Warren, *Hacker's Delight*, 2nd
+//!   edition, section 7-3. Other bit orders are only other orders of words and of bytes.
+//! - **Cost** about 30 instructions a block on a desk: a picture of 128 × 64 pixels is 128 blocks.
+//! - **Memory** 64 bytes of stack.
 
-use core::{cell::Cell, iter::zip};
+use core::iter::zip;
 
 use crate::{display::frame::TooSmall, num::count};
 
@@ -94,17 +95,19 @@ impl Transpose {
         let (stride, width) = (self.row_bytes(), self.page_bytes());
         let rows = rows.get(..self.rows_needed()).ok_or(TooSmall { needed: self.rows_needed() })?;
         let pages = pages.get_mut(..self.pages_needed()).ok_or(TooSmall { needed: self.pages_needed() })?;
-        for (strip, page) in zip(rows.chunks(stride.saturating_mul(8)), pages.chunks_exact_mut(width)) {
-            let (mut rows, mut mask) = eight(strip, stride);
-            if self.pages == BitOrder::HighFirst {
-                rows.reverse();
-                mask = mask.reverse_bits();
+        let mut first = 0;
+        for page in pages.chunks_exact_mut(width.max(1)) {
+            let mut column = first;
+            for bytes in page.chunks_mut(64) {
+                let mut words = words(rows, stride, column);
+                if self.pages == BitOrder::HighFirst {
+                    words.reverse();
+                }
+                to_blocks(&mut words);
+                store_blocks(bytes, &words.map(|block| self.leftmost_first(block)));
+                column += 8;
             }
-            let mask = u64::from_ne_bytes([mask; 8]);
-            let mut blocks = columns(rows).map(|block| self.leftmost_first(block & mask));
-            let mut whole = page.chunks_exact_mut(8);
-            zip(&mut whole, &mut blocks).for_each(|(bytes, block)| store(bytes, block));
-            zip([whole.into_remainder()], blocks).for_each(|(bytes, block)| store(bytes, block));
+            first += 8 * stride;
         }
         Ok(())
     }
@@ -117,17 +120,24 @@ impl Transpose {
         let (stride, width) = (self.row_bytes(), self.page_bytes());
         let pages = pages.get(..self.pages_needed()).ok_or(TooSmall { needed: self.pages_needed() })?;
         let rows = rows.get_mut(..self.rows_needed()).ok_or(TooSmall { needed: self.rows_needed() })?;
-        let cells = Cell::from_mut(rows).as_slice_of_cells();
-        for (strip, page) in zip(cells.chunks(stride.saturating_mul(8)), pages.chunks_exact(width)) {
-            let (rows, _) = eight(strip, stride);
-            for (cells, bytes) in zip(across(rows), page.chunks(8)) {
-                let block = transposed(self.leftmost_first(load(bytes)));
-                let block = if self.pages == BitOrder::HighFirst { block.swap_bytes() } else { block };
-                // From below: a row that is not there is the first one again, which is written last.
-                for (cell, byte) in zip(&cells, &block.to_le_bytes()).rev() {
-                    cell.set(*byte);
+        let mut first = 0;
+        for page in pages.chunks_exact(width.max(1)) {
+            let mut column = 0;
+            for bytes in page.chunks(64) {
+                let mut words = load_blocks(bytes).map(|block| self.leftmost_first(block));
+                to_words(&mut words);
+                if self.pages == BitOrder::HighFirst {
+                    words.reverse();
                 }
+                let mut start = first + column;
+                for word in words {
+                    let end = start + (stride - column).min(8);
+                    store(rows.get_mut(start..end).unwrap_or_default(), word);
+                    start += stride;
+                }
+                column += 8;
             }
+            first += 8 * stride;
         }
         Ok(())
     }
@@ -160,40 +170,61 @@ impl Transpose {
     }
 }
 
-/// The first eight lines of a strip, and a bit for each that is there; the first line stands for
-/// the others.
-pub(super) fn eight<T>(strip: &[T], stride: usize) -> ([&[T]; 8], u8) {
-    let mut lines = strip.chunks(stride.max(1));
-    let first = strip.chunks(stride.max(1)).next().unwrap_or(&[]);
-    let mask = (0..8).zip(lines.clone()).fold(0, |mask, (bit, _)| mask | 1 << bit);
-    ([(); 8].map(|()| lines.next().unwrap_or(first)), mask)
-}
-
-/// Blocks of eight columns of eight rows, from the left: the highest byte is the leftmost column,
-/// the lowest bit of a byte its topmost pixel.
-pub(super) fn columns(rows: [&[u8]; 8]) -> impl Iterator<Item = u64> {
-    across(rows).map(|[a, b, c, d, e, f, g, h]| transposed(u64::from_le_bytes([*a, *b, *c, *d, *e, *f, *g, *h])))
-}
-
-/// What eight slices have at the same place.
-fn across<T>([a, b, c, d, e, f, g, h]: [&[T]; 8]) -> impl Iterator<Item = [&T; 8]> {
-    let (left, right) = (zip(zip(a, b), zip(c, d)), zip(zip(e, f), zip(g, h)));
-    zip(left, right).map(|(((a, b), (c, d)), ((e, f), (g, h)))| [a, b, c, d, e, f, g, h])
-}
-
-/// Swaps bit `8 i + j` with bit `8 j + i`.
+/// Eight bytes from byte `first` on, and from `stride` bytes behind, and so on, eight times; what is
+/// behind the end is 0.
 #[inline]
-const fn transposed(block: u64) -> u64 {
-    let block = swap_bits(block, 7, 0x00AA_00AA_00AA_00AA);
-    let block = swap_bits(block, 14, 0x0000_CCCC_0000_CCCC);
-    swap_bits(block, 28, 0x0000_0000_F0F0_F0F0)
+pub(super) fn words(bytes: &[u8], stride: usize, first: usize) -> [u64; 8] {
+    let (mut at, mut words) = (first, [0; 8]);
+    for word in &mut words {
+        let Some(rest) = bytes.get(at..) else { break };
+        *word = load(rest);
+        at += stride;
+    }
+    words
 }
 
-/// Swaps each bit of `mask` with the one `distance` above it.
+/// Makes eight rows of 64 pixels, the leftmost in the highest bit, into eight blocks of eight
+/// columns, the *rightmost* one first: a column is a byte, the leftmost the highest one, and its
+/// topmost pixel the lowest bit.
+pub(super) fn to_blocks(words: &mut [u64; 8]) {
+    mirror_bits(words);
+    mirror_bytes(words);
+}
+
+/// The reverse.
+fn to_words(blocks: &mut [u64; 8]) {
+    mirror_bytes(blocks);
+    mirror_bits(blocks);
+}
+
+/// Swaps bit `j` of byte `k` of word `i` with bit `i` of byte `k` of word `j`.
 #[inline]
-const fn swap_bits(block: u64, distance: u32, mask: u64) -> u64 {
-    let differing = (block ^ (block >> distance)) & mask;
-    block ^ differing ^ (differing << distance)
+fn mirror_bits(words: &mut [u64; 8]) {
+    exchange::<4>(words, 4, 0x0F0F_0F0F_0F0F_0F0F);
+    exchange::<2>(words, 2, 0x3333_3333_3333_3333);
+    exchange::<1>(words, 1, 0x5555_5555_5555_5555);
+}
+
+/// Swaps byte `j` of word `i` with byte `i` of word `j`.
+#[inline]
+fn mirror_bytes(words: &mut [u64; 8]) {
+    exchange::<4>(words, 32, 0x0000_0000_FFFF_FFFF);
+    exchange::<2>(words, 16, 0x0000_FFFF_0000_FFFF);
+    exchange::<1>(words, 8, 0x00FF_00FF_00FF_00FF);
+}
+
+/// Between words `DISTANCE` apart, swaps the bits of `mask` in the second with those `shift` above in
+/// the first.
+#[inline]
+fn exchange<const DISTANCE: usize>(words: &mut [u64; 8], shift: u32, mask: u64) {
+    for pair in words.chunks_exact_mut(2 * DISTANCE) {
+        let (upper, lower) = pair.split_at_mut_checked(DISTANCE).unwrap_or_default();
+        for (upper, lower) in zip(upper, lower) {
+            let differing = ((*upper >> shift) ^ *lower) & mask;
+            *upper ^= differing << shift;
+            *lower ^= differing;
+        }
+    }
 }
 
 /// Up to eight bytes, the first in the highest bits; those that are not there are 0.
@@ -211,5 +242,34 @@ pub(super) fn store(bytes: &mut [u8], block: u64) {
     match bytes.first_chunk_mut() {
         Some(bytes) => *bytes = block.to_be_bytes(),
         None => zip(bytes, block.to_be_bytes()).for_each(|(byte, new)| *byte = new),
+    }
+}
+
+/// Up to eight blocks, the first of them last; those that are not there are 0.
+#[inline]
+pub(super) fn load_blocks(bytes: &[u8]) -> [u64; 8] {
+    let mut blocks = [0; 8];
+    let mut take = |bytes: &[u8]| {
+        let mut chunks = bytes.chunks(8);
+        blocks.iter_mut().rev().for_each(|block| *block = chunks.next().map_or(0, load));
+    };
+    match bytes.first_chunk::<64>() {
+        // Of known length, it is done without a branch.
+        Some(whole) => take(whole),
+        None => take(bytes),
+    }
+    blocks
+}
+
+/// Up to eight blocks, the last of them first.
+#[inline]
+fn store_blocks(bytes: &mut [u8], blocks: &[u64; 8]) {
+    let put = |bytes: &mut [u8]| {
+        let mut chunks = bytes.chunks_mut(8);
+        blocks.iter().rev().for_each(|block| store(chunks.next().unwrap_or_default(), *block));
+    };
+    match bytes.first_chunk_mut::<64>() {
+        Some(whole) => put(whole),
+        None => put(bytes),
     }
 }

@@ -1,10 +1,10 @@
 //! One page of a frame: blocks of eight columns, and how they are merged.
 
-use core::{iter::zip, ops::Range};
+use core::{iter::zip, mem::take, ops::Range};
 
 use super::RasterOp;
 use crate::{
-    display::transpose::{columns, eight, load, store},
+    display::transpose::{load, load_blocks, store, to_blocks, words},
     num::low_index,
 };
 
@@ -16,8 +16,6 @@ pub(super) struct Page {
     /// The first pixel in the source.
     pub(super) column: usize,
     pub(super) row: usize,
-    /// How many columns of the first block are left of it.
-    pub(super) hidden: usize,
     /// How many rows, 1 to 8, and how far below the upper edge of the page.
     pub(super) rows: usize,
     pub(super) below: u32,
@@ -35,47 +33,94 @@ impl Page {
         0xFF >> (8 - low_index(self.rows)) << self.below
     }
 
-    /// Blocks from rows. The first one begins at a multiple of eight columns.
-    pub(super) fn blocks_of_rows(&self, bytes: &[u8], stride: usize) -> impl Iterator<Item = u64> {
-        let (start, end) = (self.row * stride, (self.row + self.rows) * stride);
-        let (rows, _) = eight(bytes.get(start..end).unwrap_or_default(), stride);
-        let below = self.below;
-        columns(rows.map(|row| row.get(self.column / 8..).unwrap_or_default())).map(move |block| block << below)
+    /// Merges pixels of rows, where those of the mask are 1.
+    pub(super) fn merge_rows(
+        &self,
+        target: &mut [u8],
+        (source, mask): (&[u8], Option<&[u8]>),
+        stride: usize,
+        op: RasterOp,
+    ) {
+        // So many blocks are whole when a word begins with the first pixel.
+        let hidden = low_index(self.column % 8);
+        let blocks = if hidden == 0 { 8 } else { 7 };
+        let mut first = self.row * stride + self.column / 8;
+        let inside = lanes(self.inside());
+        for target in target.chunks_mut(8 * blocks) {
+            let tile = |bytes| {
+                let mut words = words(bytes, stride, first);
+                shift(&mut words, hidden);
+                to_blocks(&mut words);
+                shift(&mut words, self.below);
+                words
+            };
+            let mut masks = mask.map_or([u64::MAX; 8], tile);
+            for mask in &mut masks {
+                *mask &= inside;
+            }
+            merge(target, &tile(source), &masks, op);
+            first += blocks;
+        }
     }
 
-    /// Blocks from pages. The first one begins with the first pixel.
-    pub(super) fn blocks_of_pages(&self, bytes: &[u8], stride: usize) -> impl Iterator<Item = u64> {
-        let width = self.columns.len();
-        let line = |page: usize| bytes.get(page * stride + self.column..)?.get(..width);
+    /// Merges pixels of pages.
+    pub(super) fn merge_pages(&self, target: &mut [u8], source: &[u8], stride: usize, op: RasterOp) {
+        let width = target.len();
+        let line = |page: usize| source.get(page * stride + self.column..)?.get(..width);
         let upper = line(self.row / 8).unwrap_or_default();
         // Without a lower page, none of its rows is meant.
         let lower = line(self.row / 8 + 1).unwrap_or(upper);
-        let (below, above) = (self.below, self.row % 8);
-        let of_upper = lanes(0xFF >> above);
-        zip(upper.chunks(8), lower.chunks(8)).map(move |(upper, lower)| {
-            let (upper, lower) = (load(upper) >> above, load(lower) << (8 - above));
-            (upper & of_upper | lower & !of_upper) << below
-        })
-    }
-
-    /// Merges blocks, each with its mask.
-    pub(super) fn merge(&self, bytes: &mut [u8], mut blocks: impl Iterator<Item = (u64, u64)>, op: RasterOp) {
-        let inside = lanes(self.inside());
-        let merge = |bytes: &mut [u8], (new, mask): (u64, u64)| {
-            let old = load(bytes);
-            store(bytes, old ^ (op.change(old, new) & mask & inside));
-        };
-        let head = ((8 - self.hidden) % 8).min(bytes.len());
-        let (head, rest) = bytes.split_at_mut_checked(head).unwrap_or_default();
-        if !head.is_empty() {
-            let hidden = |block| block << (8 * self.hidden);
-            blocks.next().into_iter().for_each(|(new, mask)| merge(head, (hidden(new), hidden(mask))));
+        let above = self.row % 8;
+        let (of_upper, inside) = (lanes(0xFF >> above), [lanes(self.inside()); 8]);
+        let mut first = 0;
+        for target in target.chunks_mut(64) {
+            let from = |line: &[u8]| load_blocks(line.get(first..).unwrap_or_default());
+            let mut blocks = from(upper);
+            for (block, lower) in zip(&mut blocks, from(lower)) {
+                *block = (((*block >> above) & of_upper) | ((lower << (8 - above)) & !of_upper)) << self.below;
+            }
+            merge(target, &blocks, &inside, op);
+            first += 64;
         }
-        zip(rest.chunks_mut(8), blocks).for_each(|(bytes, block)| merge(bytes, block));
+    }
+}
+
+/// Merges up to eight blocks, the last of them first, each with its mask.
+fn merge(target: &mut [u8], blocks: &[u64; 8], masks: &[u64; 8], op: RasterOp) {
+    match op {
+        RasterOp::Copy => change(target, blocks, masks, |old, new| RasterOp::Copy.change(old, new)),
+        RasterOp::Or => change(target, blocks, masks, |old, new| RasterOp::Or.change(old, new)),
+        RasterOp::AndNot => change(target, blocks, masks, |old, new| RasterOp::AndNot.change(old, new)),
+        RasterOp::Xor => change(target, blocks, masks, |old, new| RasterOp::Xor.change(old, new)),
+    }
+}
+
+/// The same for one operation, which has a loop of its own.
+#[inline]
+fn change(target: &mut [u8], blocks: &[u64; 8], masks: &[u64; 8], change: impl Fn(u64, u64) -> u64) {
+    let merged = |old, new, mask| old ^ (change(old, new) & mask);
+    let mut rest = target;
+    for (new, mask) in zip(blocks, masks).rev() {
+        if rest.len() < 8 {
+            let old = load(rest);
+            return store(rest, merged(old, *new, *mask));
+        }
+        let Some((bytes, more)) = take(&mut rest).split_first_chunk_mut() else { return };
+        *bytes = merged(u64::from_be_bytes(*bytes), *new, *mask).to_be_bytes();
+        rest = more;
+    }
+}
+
+/// Shifts to the left, which most often is by nothing.
+fn shift(words: &mut [u64; 8], by: u32) {
+    if by > 0 {
+        for word in words {
+            *word <<= by;
+        }
     }
 }
 
 /// Eight bytes alike.
-pub(super) const fn lanes(byte: u8) -> u64 {
+const fn lanes(byte: u8) -> u64 {
     u64::from_ne_bytes([byte; 8])
 }

@@ -19,7 +19,7 @@ pub(super) struct Run {
 impl Run {
     /// The same from the left in parts, each of which lies in one word of either line.
     pub(super) fn strips(self, strides: (usize, usize)) -> impl DoubleEndedIterator<Item = Strip> {
-        let aligned = (self.target | self.source) % 8 == 0;
+        let aligned = (self.target | self.source).is_multiple_of(8);
         let longest = if aligned { 8 * WORD } else { 8 * WORD - 8 };
         (0..self.bits.div_ceil(longest)).map(move |part| {
             let done = part * longest;
@@ -127,14 +127,12 @@ fn widened(mut bits: usize, times: u32) -> usize {
 /// One word of a line; what a short line has not is 0.
 #[inline]
 fn read(line: &[u8], start: usize) -> usize {
-    match line.get(start..).and_then(<[u8]>::first_chunk) {
-        Some(bytes) => usize::from_ne_bytes(*bytes),
-        None => {
-            let mut word = [0; WORD];
-            zip(&mut word, line).for_each(|(byte, new)| *byte = *new);
-            usize::from_ne_bytes(word)
-        }
+    if let Some(bytes) = line.get(start..).and_then(<[u8]>::first_chunk) {
+        return usize::from_ne_bytes(*bytes);
     }
+    let mut word = [0; WORD];
+    zip(&mut word, line).for_each(|(byte, new)| *byte = *new);
+    usize::from_ne_bytes(word)
 }
 
 /// The reverse of [`read`].

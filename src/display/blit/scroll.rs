@@ -94,7 +94,7 @@ fn vacated(geometry: Geometry, kept: Option<Part>) -> impl Iterator<Item = Part>
     let areas = [
         Rect { bottom: kept.top, ..whole },
         Rect { top: kept.bottom, ..whole },
-        Rect { right: kept.left, ..kept },
+        Rect { left: whole.left, right: kept.left, ..kept },
         Rect { left: kept.right, right: whole.right, ..kept },
     ];
     let part = |area: Rect| Part { area, column: index(area.left), row: index(area.top) };

@@ -25,6 +25,14 @@ impl<C: Code<Raw = RawU1>, O: Order> Layout<C> for Pages<O> {
     #[inline]
     fn fill(memory: Memory<&mut [u8]>, rows: Range<usize>, columns: Range<usize>, codes: [u8; 4]) {
         let pages = rows.start / 8..rows.end.div_ceil(8);
+        let values = codes.map(spread);
+        let is_whole = rows.start.is_multiple_of(8) && rows.end.is_multiple_of(8) && columns == (0..memory.stride);
+        // Whole pages without gaps, all bytes alike: one block.
+        if is_whole && values == [values[0]; 4] {
+            let block = memory.bytes.get_mut(pages.start * memory.stride..pages.end * memory.stride);
+            block.unwrap_or_default().fill(values[0]);
+            return;
+        }
         for (page, line) in pages.clone().zip(memory.lines(pages)) {
             let top = 8 * page;
             let mask = bits_of::<O>(rows.start.max(top) - top..rows.end.min(top + 8) - top);
