@@ -61,9 +61,8 @@ impl<C: Code, O: Order> Layout<C> for Rows<O> {
                 (mask, value, used) = (0, 0, 0);
             }
         }
-        if mask != 0
-            && let Some(byte) = bytes.next()
-        {
+        // With nothing gathered, nothing is changed.
+        if let Some(byte) = bytes.next() {
             merge(byte, mask, value);
         }
     }
