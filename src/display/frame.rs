@@ -167,6 +167,18 @@ impl<C: Code, L: Layout<C>, B: AsRef<[u8]>> Frame<C, L, B> {
         bytes.chunks_exact(length.max(1)).nth(index).unwrap_or(&[])
     }
 
+    /// Bytes from the beginning of a line to the beginning of the next.
+    #[must_use]
+    pub const fn stride(&self) -> usize {
+        self.spacing.stride
+    }
+
+    /// The picture's bytes from the first line on, for a layout to read.
+    #[inline]
+    pub(super) fn memory_ref(&self) -> Memory<&[u8]> {
+        Memory { bytes: self.bytes(), stride: self.spacing.stride }
+    }
+
     /// The lines of bytes, without the gaps between them: rows of pixels, pages or columns.
     pub fn lines(&self) -> impl Iterator<Item = &[u8]> {
         let data = L::SHAPE.stride(self.width, self.height);
@@ -179,7 +191,9 @@ impl<C: Code, L: Layout<C>, B: AsMut<[u8]>> Frame<C, L, B> {
         Rect::of_size(Size::new(self.width, self.height))
     }
 
-    fn lines_mut(&mut self) -> Memory<&mut [u8]> {
+    /// The picture's bytes from the first line on, for a layout to write.
+    #[inline]
+    pub(super) fn memory_mut(&mut self) -> Memory<&mut [u8]> {
         let bytes = self.bytes.as_mut().get_mut(self.spacing.before..self.end).unwrap_or_default();
         Memory { bytes, stride: self.spacing.stride }
     }
@@ -189,7 +203,7 @@ impl<C: Code, L: Layout<C>, B: AsMut<[u8]>> Frame<C, L, B> {
         let area = area.intersection(self.rect());
         if !area.is_empty() {
             let (rows, columns) = (index(area.top)..index(area.bottom), index(area.left)..index(area.right));
-            L::fill(self.lines_mut(), rows, columns, codes);
+            L::fill(self.memory_mut(), rows, columns, codes);
         }
     }
 }
@@ -218,7 +232,7 @@ impl<C: Code, L: Layout<C>, B: AsMut<[u8]>> Target for Frame<C, L, B> {
             let hidden = index(visible.start.saturating_sub(columns.start));
             let (start, end) = (index(visible.start), index(visible.end));
             let codes = colors.skip(hidden).take(end - start).map(|color| color.map(Code::code));
-            L::write(self.lines_mut(), index(row), start, codes);
+            L::write(self.memory_mut(), index(row), start, codes);
         }
         Ok(())
     }
@@ -238,7 +252,7 @@ impl<C: Code, L: Layout<C>, B: AsMut<[u8]>> DrawTarget for Frame<C, L, B> {
         let bounds = self.rect();
         for Pixel(point, color) in pixels {
             if bounds.contains(point) {
-                L::set(self.lines_mut(), index(point.y), index(point.x), color.code());
+                L::set(self.memory_mut(), index(point.y), index(point.x), color.code());
             }
         }
         Ok(())
@@ -273,7 +287,6 @@ impl<C: Code, L: Layout<C>, B: AsRef<[u8]>> GetPixel for Frame<C, L, B> {
         if !bounds.contains(point) {
             return None;
         }
-        let memory = Memory { bytes: self.bytes(), stride: self.spacing.stride };
-        L::read(memory, index(point.y), index(point.x)).map(C::from_code)
+        L::read(self.memory_ref(), index(point.y), index(point.x)).map(C::from_code)
     }
 }
