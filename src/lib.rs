@@ -55,6 +55,7 @@ mod error;
 mod matrix;
 mod num;
 mod outcode;
+mod palette;
 mod space;
 mod span;
 mod style;
@@ -73,7 +74,7 @@ pub use colour::Light;
 pub use display::{
     dither::Dithered,
     frame::{Frame, Spacing, TooSmall},
-    layout::{Columns, Inverted, LsbFirst, MsbFirst, Pages, Planes, Rows},
+    layout::{Columns, Inverted, LsbFirst, MsbFirst, Pages, Planes, Rows, Words},
     level::Levels,
     turned::{Turn, Turned},
     window::Window,
@@ -83,6 +84,7 @@ pub use geometry::angle::Angle;
 pub use matrix::Matrix;
 pub use num::{Scalar, Subpixel};
 pub use outcode::Outcode;
+pub use palette::{Rgb332, ThreeColor};
 pub use raster::{bresenham::Line, polygon::Polygon, triangle::Triangle};
 pub use space::{
     CLIP_LIMIT, Clip, GUARD_BAND, LEAST_W, Model, Point2, Point3, Point4, Rect, Vector3, View, World, twice_area,

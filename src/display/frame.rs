@@ -5,8 +5,9 @@ use core::{convert::Infallible, marker::PhantomData, ops::Range};
 use embedded_graphics::{
     Pixel,
     draw_target::DrawTarget,
-    geometry::{OriginDimensions, Point, Size},
+    geometry::{Dimensions, OriginDimensions, Point, Size},
     image::GetPixel,
+    pixelcolor::PixelColor,
     primitives::Rectangle,
 };
 
@@ -15,7 +16,7 @@ use crate::{
     error::describe,
     num::{count, index},
     space::Rect,
-    target::{Code, Ink, Target, VisibleColors},
+    target::{Ink, Target, VisibleColors},
 };
 
 /// A picture of colour `C` (which gives the bits a pixel) packed in layout `L` into the bytes `B`.
@@ -84,7 +85,7 @@ pub struct TooSmall {
 
 describe! { TooSmall, Self { needed } => "{needed} bytes are needed"; }
 
-impl<C: Code, L: Layout<C>> Frame<C, L, ()> {
+impl<C: PixelColor, L: Layout<C>> Frame<C, L, ()> {
     /// How many bytes a picture of this size needs; `usize::MAX` where no memory could hold it.
     #[must_use]
     pub const fn bytes_needed(width: u32, height: u32) -> usize {
@@ -103,7 +104,7 @@ impl<C: Code, L: Layout<C>> Frame<C, L, ()> {
     }
 }
 
-impl<C: Code, L: Layout<C>, const N: usize> Frame<C, L, [u8; N]> {
+impl<C: PixelColor, L: Layout<C>, const N: usize> Frame<C, L, [u8; N]> {
     /// A frame that owns its bytes; may be a constant or a static.
     ///
     /// # Errors
@@ -118,7 +119,7 @@ impl<C: Code, L: Layout<C>, const N: usize> Frame<C, L, [u8; N]> {
     }
 }
 
-impl<C: Code, L: Layout<C>, B: AsRef<[u8]>> Frame<C, L, B> {
+impl<C: PixelColor, L: Layout<C>, B: AsRef<[u8]>> Frame<C, L, B> {
     /// A frame in any memory: a `&mut [u8]`, an array, a vector on the desk.
     ///
     /// The bytes keep what they hold; bytes behind the picture are never touched.
@@ -186,7 +187,7 @@ impl<C: Code, L: Layout<C>, B: AsRef<[u8]>> Frame<C, L, B> {
     }
 }
 
-impl<C: Code, L: Layout<C>, B: AsMut<[u8]>> Frame<C, L, B> {
+impl<C: PixelColor, L: Layout<C>, B: AsMut<[u8]>> Frame<C, L, B> {
     fn rect(&self) -> Rect {
         Rect::of_size(Size::new(self.width, self.height))
     }
@@ -194,21 +195,25 @@ impl<C: Code, L: Layout<C>, B: AsMut<[u8]>> Frame<C, L, B> {
     /// The picture's bytes from the first line on, for a layout to write.
     #[inline]
     pub(super) fn memory_mut(&mut self) -> Memory<&mut [u8]> {
-        let bytes = self.bytes.as_mut().get_mut(self.spacing.before..self.end).unwrap_or_default();
+        let memory = self.bytes.as_mut();
+        // Only planes need to know where the picture ends; the others save the look.
+        let end = if L::SHAPE.planes > 1 { self.end } else { memory.len() };
+        let bytes = memory.get_mut(self.spacing.before..end).unwrap_or_default();
         Memory { bytes, stride: self.spacing.stride }
     }
 
-    /// Fills what is inside of a rectangle.
-    fn fill_rect(&mut self, area: Rect, codes: [u8; 4]) {
-        let area = area.intersection(self.rect());
-        if !area.is_empty() {
-            let (rows, columns) = (index(area.top)..index(area.bottom), index(area.left)..index(area.right));
-            L::fill(self.memory_mut(), rows, columns, codes);
+    /// Fills the visible part of an area that is not all inside.
+    #[cold]
+    fn fill_clipped(&mut self, area: &Rectangle, color: C) {
+        let visible = Rect::from(*area).intersection(self.rect());
+        if !visible.is_empty() {
+            let rows = index(visible.top)..index(visible.bottom);
+            L::fill_solid(self.memory_mut(), rows, index(visible.left)..index(visible.right), color);
         }
     }
 }
 
-impl<C: Code, L: Layout<C>, B: AsMut<[u8]>> Target for Frame<C, L, B> {
+impl<C: PixelColor, L: Layout<C>, B: AsMut<[u8]>> Target for Frame<C, L, B> {
     type Color = C;
     type Error = Infallible;
 
@@ -217,8 +222,10 @@ impl<C: Code, L: Layout<C>, B: AsMut<[u8]>> Target for Frame<C, L, B> {
     }
 
     fn fill_run(&mut self, row: i32, columns: Range<i32>, ink: &impl Ink<Color = C>) -> Result<(), Infallible> {
-        let codes = ink.four(row).map(Code::code);
-        self.fill_rect(Rect::new(columns.start, row, columns.end, row.saturating_add(1)), codes);
+        if let Some(visible) = self.rect().clip_run(row, columns) {
+            let (line, columns) = (index(row), index(visible.start)..index(visible.end));
+            L::fill(self.memory_mut(), line..line + 1, columns, ink.four(row));
+        }
         Ok(())
     }
 
@@ -231,28 +238,30 @@ impl<C: Code, L: Layout<C>, B: AsMut<[u8]>> Target for Frame<C, L, B> {
         if let Some(visible) = self.rect().clip_run(row, columns.clone()) {
             let hidden = index(visible.start.saturating_sub(columns.start));
             let (start, end) = (index(visible.start), index(visible.end));
-            let codes = colors.skip(hidden).take(end - start).map(|color| color.map(Code::code));
-            L::write(self.memory_mut(), index(row), start, codes);
+            L::write(self.memory_mut(), index(row), start, colors.skip(hidden).take(end - start));
         }
         Ok(())
     }
 }
 
-impl<C: Code, L: Layout<C>, B> OriginDimensions for Frame<C, L, B> {
+impl<C: PixelColor, L: Layout<C>, B> OriginDimensions for Frame<C, L, B> {
     fn size(&self) -> Size {
         Size::new(self.width, self.height)
     }
 }
 
-impl<C: Code, L: Layout<C>, B: AsMut<[u8]>> DrawTarget for Frame<C, L, B> {
+impl<C: PixelColor, L: Layout<C>, B: AsMut<[u8]>> DrawTarget for Frame<C, L, B> {
     type Color = C;
     type Error = Infallible;
 
     fn draw_iter<I: IntoIterator<Item = Pixel<C>>>(&mut self, pixels: I) -> Result<(), Infallible> {
-        let bounds = self.rect();
-        for Pixel(point, color) in pixels {
-            if bounds.contains(point) {
-                L::set(self.memory_mut(), index(point.y), index(point.x), color.code());
+        let (width, height) = (self.width, self.height);
+        let Memory { bytes, stride } = self.memory_mut();
+        for Pixel(Point { x, y }, color) in pixels {
+            // Negative numbers are beyond any size as unsigned ones.
+            let (x, y) = (x.cast_unsigned(), y.cast_unsigned());
+            if x < width && y < height {
+                L::set(Memory { bytes: &mut *bytes, stride }, position(y), position(x), color);
             }
         }
         Ok(())
@@ -269,17 +278,34 @@ impl<C: Code, L: Layout<C>, B: AsMut<[u8]>> DrawTarget for Frame<C, L, B> {
     }
 
     fn fill_solid(&mut self, area: &Rectangle, color: C) -> Result<(), Infallible> {
-        self.fill_rect((*area).into(), [color.code(); 4]);
+        let (Point { x, y }, Size { width, height }) = (area.top_left, area.size);
+        let (x, y) = (x.cast_unsigned(), y.cast_unsigned());
+        // Negative numbers are beyond any size as unsigned ones, and so is the end of nothing.
+        let is_inside = x < self.width
+            && y < self.height
+            && width.wrapping_sub(1) < self.width - x
+            && height.wrapping_sub(1) < self.height - y;
+        if is_inside {
+            let (rows, columns) = (position(y)..position(y + height), position(x)..position(x + width));
+            L::fill_solid(self.memory_mut(), rows, columns, color);
+        } else {
+            self.fill_clipped(area, color);
+        }
         Ok(())
     }
 
     fn clear(&mut self, color: C) -> Result<(), Infallible> {
-        self.fill_rect(self.rect(), [color.code(); 4]);
-        Ok(())
+        self.fill_solid(&self.bounding_box(), color)
     }
 }
 
-impl<C: Code, L: Layout<C>, B: AsRef<[u8]>> GetPixel for Frame<C, L, B> {
+/// A column or row inside of a frame.
+#[inline]
+const fn position(value: u32) -> usize {
+    count(value as u64)
+}
+
+impl<C: PixelColor, L: Layout<C>, B: AsRef<[u8]>> GetPixel for Frame<C, L, B> {
     type Color = C;
 
     fn pixel(&self, point: Point) -> Option<C> {
@@ -287,6 +313,6 @@ impl<C: Code, L: Layout<C>, B: AsRef<[u8]>> GetPixel for Frame<C, L, B> {
         if !bounds.contains(point) {
             return None;
         }
-        L::read(self.memory_ref(), index(point.y), index(point.x)).map(C::from_code)
+        L::read(self.memory_ref(), index(point.y), index(point.x))
     }
 }

@@ -18,6 +18,8 @@
 //! edges than it holds is filled by searching the vertices for one crossing after the other:
 //! slower (6 to 50 times), with the same pixels. The list's length is a matter of speed alone.
 
+use core::ops::Range;
+
 use embedded_graphics::{
     draw_target::DrawTarget,
     geometry::Dimensions,
@@ -98,9 +100,13 @@ impl<'a> Polygon<'a> {
         let mut row = bounds.top;
         while row < bounds.bottom {
             scan.enter(row);
-            let mut spans = Run { rule, bounds, row, at: i32::MIN, winding: 0, from: None };
-            scan.emit(row, &mut spans, sink)?;
-            row = scan.next_row(row);
+            let change = scan.next_change(row).min(bounds.bottom);
+            match scan.active.as_mut_slice() {
+                [] if scan.is_complete => {}
+                [one, other] => emit_pair(row..change, (&mut one.edge, &mut other.edge), sink)?,
+                _ => scan.emit(row..change, rule, sink)?,
+            }
+            row = change;
         }
         Ok(())
     }
@@ -152,45 +158,74 @@ impl Scan<'_, '_> {
         }
     }
 
-    /// The spans of one row; the edges step to the next.
-    fn emit<S: Sink>(&mut self, row: i32, spans: &mut Run, sink: &mut S) -> Result<(), S::Error> {
+    /// The first row below `row` in which other edges are active.
+    fn next_change(&self, row: i32) -> i32 {
         if !self.is_complete {
-            return self.emit_by_selection(row, spans, sink);
+            return row.saturating_add(1);
         }
-        sort_by_column(self.active);
-        for active in self.active.iter_mut() {
-            spans.cross(active.edge.column(), active.winding, sink)?;
-            active.edge.advance();
+        self.active.iter().map(|edge| edge.end_row).fold(self.next_start, i32::min)
+    }
+
+    /// The spans of rows that have the same active edges.
+    fn emit<S: Sink>(&mut self, rows: Range<i32>, rule: Rule, sink: &mut S) -> Result<(), S::Error> {
+        for row in rows {
+            let mut crossings = Crossings::new(rule, sink.bounds(), row);
+            if !self.is_complete {
+                self.emit_by_selection(&mut crossings, sink)?;
+                continue;
+            }
+            sort_by_column(self.active);
+            for active in self.active.iter_mut() {
+                crossings.cross(active.edge.column(), active.winding, sink)?;
+                active.edge.advance();
+            }
+            crossings.finish(sink)?;
         }
-        spans.finish(sink)
+        Ok(())
     }
 
     /// Without a list: looks for the next crossing to the right again and again.
-    fn emit_by_selection<S: Sink>(&self, row: i32, spans: &mut Run, sink: &mut S) -> Result<(), S::Error> {
+    #[cold]
+    fn emit_by_selection<S: Sink>(&self, row: &mut Crossings, sink: &mut S) -> Result<(), S::Error> {
+        let at = row.row;
         let crossings = || {
             self.polygon.edges().filter_map(|(upper, lower, winding)| {
                 let owned = first_row(upper.y.to_bits())..first_row(lower.y.to_bits());
-                owned.contains(&row).then(|| (Edge::new(upper, lower, row).column(), winding))
+                owned.contains(&at).then(|| (Edge::new(upper, lower, at).column(), winding))
             })
         };
-        let mut left_of_next = i32::MIN;
-        while let Some(column) = crossings().map(|(column, _)| column).filter(|&c| c > left_of_next).min() {
+        let next =
+            |left: i64| crossings().filter(|&(column, _)| i64::from(column) > left).min_by_key(|&(column, _)| column);
+        let mut left = i64::MIN;
+        while let Some((column, _)) = next(left) {
             let winding = crossings().filter(|&(c, _)| c == column).map(|(_, winding)| winding).sum();
-            spans.cross(column, winding, sink)?;
-            left_of_next = column;
+            row.cross(column, winding, sink)?;
+            left = i64::from(column);
         }
-        spans.finish(sink)
+        row.finish(sink)
     }
+}
 
-    /// The next row in which there is something to do.
-    fn next_row(&self, row: i32) -> i32 {
-        let is_idle = self.is_complete && self.active.is_empty();
-        if is_idle { self.next_start } else { row.saturating_add(1) }
+/// The spans of rows with two edges: contours are closed, so one leads in and the other out by any rule.
+fn emit_pair<S: Sink>(rows: Range<i32>, (one, other): (&mut Edge, &mut Edge), sink: &mut S) -> Result<(), S::Error> {
+    let Rect { left, right, .. } = sink.bounds();
+    for row in rows {
+        let (a, b) = (one.column(), other.column());
+        let columns = a.min(b).max(left)..a.max(b).min(right);
+        if !columns.is_empty() {
+            sink.span(row, columns, ())?;
+        }
+        one.advance();
+        other.advance();
     }
+    Ok(())
 }
 
 /// Insertion sort: between rows almost nothing changes its place, and the code is small.
 fn sort_by_column(active: &mut [ActiveEdge]) {
+    if active.is_sorted_by_key(|active| active.edge.column()) {
+        return;
+    }
     for end in 2..=active.len() {
         let Some(mut sorted) = active.get_mut(..end) else { return };
         while let [rest @ .., left, right] = sorted {
@@ -206,49 +241,49 @@ fn sort_by_column(active: &mut [ActiveEdge]) {
 }
 
 /// The walk along one row: takes crossings from left to right, gives spans.
-struct Run {
-    rule: Rule,
+struct Crossings {
+    /// The bits of the winding number that the rule looks at: all, or the lowest.
+    mask: i32,
     bounds: Rect,
     row: i32,
-    /// Column of the last crossing.
-    at: i32,
     winding: i32,
-    /// Where the present span begins.
-    from: Option<i32>,
+    /// The last span, held back because another may follow without a gap.
+    from: i32,
+    to: i32,
 }
 
-impl Run {
-    fn cross<S: Sink>(&mut self, column: i32, winding: i32, sink: &mut S) -> Result<(), S::Error> {
-        if column > self.at {
-            self.settle(sink)?;
-            self.at = column;
-        }
-        self.winding = self.winding.wrapping_add(winding);
-        Ok(())
-    }
-
-    /// Asks the rule, once all crossings in a column are summed.
-    fn settle<S: Sink>(&mut self, sink: &mut S) -> Result<(), S::Error> {
-        let inside = match self.rule {
-            Rule::NonZero => self.winding != 0,
-            Rule::EvenOdd => self.winding & 1 != 0,
+impl Crossings {
+    #[inline]
+    const fn new(rule: Rule, bounds: Rect, row: i32) -> Self {
+        let mask = match rule {
+            Rule::NonZero => -1,
+            Rule::EvenOdd => 1,
         };
-        match (self.from, inside) {
-            (None, true) => self.from = Some(self.at),
-            (Some(from), false) => {
-                self.from = None;
-                let columns = from.max(self.bounds.left)..self.at.min(self.bounds.right);
-                if !columns.is_empty() {
-                    sink.span(self.row, columns, ())?;
-                }
-            }
-            _ => {}
+        Self { mask, bounds, row, winding: 0, from: i32::MIN, to: i32::MIN }
+    }
+
+    #[inline]
+    fn cross<S: Sink>(&mut self, column: i32, winding: i32, sink: &mut S) -> Result<(), S::Error> {
+        let was_inside = self.winding & self.mask != 0;
+        self.winding = self.winding.wrapping_add(winding);
+        let is_inside = self.winding & self.mask != 0;
+        if was_inside && !is_inside {
+            self.to = column;
+        } else if is_inside && !was_inside && column > self.to {
+            self.finish(sink)?;
+            self.from = column;
         }
         Ok(())
     }
 
+    /// Emits what was held back.
+    #[inline]
     fn finish<S: Sink>(&mut self, sink: &mut S) -> Result<(), S::Error> {
-        self.settle(sink)
+        if self.from >= self.to {
+            return Ok(());
+        }
+        let columns = self.from.max(self.bounds.left)..self.to.min(self.bounds.right);
+        if columns.is_empty() { Ok(()) } else { sink.span(self.row, columns, ()) }
     }
 }
 

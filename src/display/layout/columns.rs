@@ -25,25 +25,32 @@ pub struct Columns<O = MsbFirst>(PhantomData<O>);
 impl<C: Code<Raw = RawU1>, O: Order> Layout<C> for Columns<O> {
     const SHAPE: Shape = Shape { is_vertical: true, rows_per_line: 1, bits: 1, planes: 1 };
 
-    fn fill(memory: Memory<&mut [u8]>, rows: Range<usize>, columns: Range<usize>, codes: [u8; 4]) {
+    fn fill(memory: Memory<&mut [u8]>, rows: Range<usize>, columns: Range<usize>, colors: [C; 4]) {
+        let codes = colors.map(C::code);
         for (column, line) in columns.clone().zip(memory.lines(columns)) {
-            BitRun::new::<O>(rows.clone(), u32::from_ne_bytes([spread(phase(codes, column)); 4])).fill(line);
+            let memory = Memory { stride: line.len(), bytes: line };
+            BitRun::new::<O>(rows.clone()).fill_solid(memory, 0..1, spread(phase(codes, column)));
         }
     }
 
-    fn write(memory: Memory<&mut [u8]>, row: usize, column: usize, codes: impl Iterator<Item = Option<u8>>) {
+    fn fill_solid(memory: Memory<&mut [u8]>, rows: Range<usize>, columns: Range<usize>, color: C) {
+        BitRun::new::<O>(rows).fill_solid(memory, columns, spread(color.code()));
+    }
+
+    fn write(memory: Memory<&mut [u8]>, row: usize, column: usize, colors: impl Iterator<Item = Option<C>>) {
         let mask = bit_of::<O>(row);
         let mut lines = memory.lines(column..usize::MAX);
-        for code in codes {
+        for color in colors {
             let Some(byte) = lines.next().and_then(|line| line.get_mut(row / 8)) else { return };
-            if let Some(code) = code {
-                merge(byte, mask, spread(code));
+            if let Some(color) = color {
+                merge(byte, mask, spread(color.code()));
             }
         }
     }
 
-    fn read(memory: Memory<&[u8]>, row: usize, column: usize) -> Option<u8> {
-        memory.line(column)?.get(row / 8).map(|byte| u8::from(byte & bit_of::<O>(row) != 0))
+    fn read(memory: Memory<&[u8]>, row: usize, column: usize) -> Option<C> {
+        let byte = memory.line(column)?.get(row / 8)?;
+        Some(C::from_code(u8::from(byte & bit_of::<O>(row) != 0)))
     }
 }
 

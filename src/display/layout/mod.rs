@@ -4,8 +4,8 @@
 //!
 //! | fact | said by |
 //! |---|---|
-//! | bits a pixel | the colour of the frame: `BinaryColor` 1, `Gray2` 2, `Gray4` 4, `Gray8` 8 |
-//! | what a byte runs along | [`Rows`], [`Pages`], [`Columns`] or [`Planes`] |
+//! | bits a pixel | the colour of the frame: `BinaryColor` 1, `Gray2` 2, `Gray4` 4, `Gray8` and `Rgb332` 8, `Rgb565` 16 |
+//! | what a byte runs along | [`Rows`], [`Words`], [`Pages`], [`Columns`] or [`Planes`] |
 //! | which end of a byte comes first | [`MsbFirst`] or [`LsbFirst`] |
 //! | whether 1 is light or ink | [`Inverted`] |
 //! | bytes around the lines | [`Spacing`](crate::display::frame::Spacing) |
@@ -16,22 +16,25 @@
 //! | Sharp memory LCD, ST7920, e-paper of two colours | `Rows` |
 //! | SSD1322, SSD1327, SSD0323 | `Rows` with `Gray4`: the left pixel in the high nibble |
 //! | UC8151 (Badger 2040) | `Columns` |
-//! | e-paper of three colours or four greys | `Planes` |
+//! | e-paper of three colours or four greys | `Planes` with `ThreeColor` or `Gray2` |
+//! | ST7789, ILI9341 and other colour panels | `Words` with `Rgb565`, `Rows` with `Rgb332` |
 
 mod columns;
 mod pages;
 mod planes;
 mod rows;
+mod words;
 
 pub use columns::Columns;
 pub use pages::Pages;
 pub use planes::Planes;
 pub use rows::Rows;
+pub use words::Words;
 
 use core::{marker::PhantomData, ops::Range};
 
 use crate::{
-    num::{count, low_index, low_u8},
+    num::{count, low_index},
     target::Code,
 };
 
@@ -57,7 +60,7 @@ impl Order for LsbFirst {
     const MSB_FIRST: bool = false;
 }
 
-/// How codes of the colour `C` are packed. A pairing that no panel has does not compile:
+/// How colours `C` are packed. A pairing that no panel has does not compile:
 ///
 /// ```compile_fail
 /// use aquatint::{Frame, Pages};
@@ -65,26 +68,32 @@ impl Order for LsbFirst {
 /// // Pages hold one bit a pixel.
 /// let frame = Frame::<Gray4, Pages, _>::with_array([0; 512], 128, 8);
 /// ```
-pub trait Layout<C: Code>: sealed::Sealed {
+pub trait Layout<C: Copy>: sealed::Sealed {
     /// How the bytes of a picture are divided.
     const SHAPE: Shape;
 
-    /// Gives the pixels of an area the codes of their columns' phases, `codes[column & 3]`.
+    /// Gives the pixels of an area the colours of their columns' phases, `colors[column & 3]`.
     ///
     /// The area is not empty and lies inside.
-    fn fill(memory: Memory<&mut [u8]>, rows: Range<usize>, columns: Range<usize>, codes: [u8; 4]);
+    fn fill(memory: Memory<&mut [u8]>, rows: Range<usize>, columns: Range<usize>, colors: [C; 4]);
 
-    /// Gives the pixels from a column on one code each; `None` is skipped. They end inside.
-    fn write(memory: Memory<&mut [u8]>, row: usize, column: usize, codes: impl Iterator<Item = Option<u8>>);
-
-    /// Gives one pixel inside a code.
+    /// Gives all pixels of an area one colour. The area is not empty and lies inside.
     #[inline]
-    fn set(memory: Memory<&mut [u8]>, row: usize, column: usize, code: u8) {
-        Self::write(memory, row, column, core::iter::once(Some(code)));
+    fn fill_solid(memory: Memory<&mut [u8]>, rows: Range<usize>, columns: Range<usize>, color: C) {
+        Self::fill(memory, rows, columns, [color; 4]);
     }
 
-    /// The code of a pixel inside.
-    fn read(memory: Memory<&[u8]>, row: usize, column: usize) -> Option<u8>;
+    /// Gives the pixels from a column on one colour each; `None` is skipped. They end inside.
+    fn write(memory: Memory<&mut [u8]>, row: usize, column: usize, colors: impl Iterator<Item = Option<C>>);
+
+    /// Gives one pixel inside a colour.
+    #[inline]
+    fn set(memory: Memory<&mut [u8]>, row: usize, column: usize, color: C) {
+        Self::write(memory, row, column, core::iter::once(Some(color)));
+    }
+
+    /// The colour of a pixel inside.
+    fn read(memory: Memory<&[u8]>, row: usize, column: usize) -> Option<C>;
 }
 
 /// How the bytes of a picture are divided into lines.
@@ -130,6 +139,13 @@ impl<'m> Memory<&'m mut [u8]> {
     #[inline]
     fn line(self, index: usize) -> Option<&'m mut [u8]> {
         self.bytes.get_mut(index.checked_mul(self.stride)?..)
+    }
+
+    /// The bytes from one of a line on, and the distance to the one below.
+    #[inline]
+    fn from(self, line: usize, byte: usize) -> Option<(&'m mut [u8], usize)> {
+        let start = line.wrapping_mul(self.stride).wrapping_add(byte);
+        self.bytes.get_mut(start..).map(|bytes| (bytes, self.stride.max(1)))
     }
 
     /// A byte of a line.
@@ -184,21 +200,35 @@ pub struct Inverted<L>(PhantomData<L>);
 impl<C: Code, L: Layout<C>> Layout<C> for Inverted<L> {
     const SHAPE: Shape = L::SHAPE;
 
-    fn fill(memory: Memory<&mut [u8]>, rows: Range<usize>, columns: Range<usize>, codes: [u8; 4]) {
-        L::fill(memory, rows, columns, codes.map(|code| !code));
+    #[inline]
+    fn fill(memory: Memory<&mut [u8]>, rows: Range<usize>, columns: Range<usize>, colors: [C; 4]) {
+        L::fill(memory, rows, columns, colors.map(inverse));
     }
 
-    fn write(memory: Memory<&mut [u8]>, row: usize, column: usize, codes: impl Iterator<Item = Option<u8>>) {
-        L::write(memory, row, column, codes.map(|code| code.map(|code| !code)));
+    #[inline]
+    fn fill_solid(memory: Memory<&mut [u8]>, rows: Range<usize>, columns: Range<usize>, color: C) {
+        L::fill_solid(memory, rows, columns, inverse(color));
     }
 
-    fn set(memory: Memory<&mut [u8]>, row: usize, column: usize, code: u8) {
-        L::set(memory, row, column, !code);
+    #[inline]
+    fn write(memory: Memory<&mut [u8]>, row: usize, column: usize, colors: impl Iterator<Item = Option<C>>) {
+        L::write(memory, row, column, colors.map(|color| color.map(inverse)));
     }
 
-    fn read(memory: Memory<&[u8]>, row: usize, column: usize) -> Option<u8> {
-        L::read(memory, row, column).map(|code| !code & (0xFF >> (8 - C::BITS)))
+    #[inline]
+    fn set(memory: Memory<&mut [u8]>, row: usize, column: usize, color: C) {
+        L::set(memory, row, column, inverse(color));
     }
+
+    fn read(memory: Memory<&[u8]>, row: usize, column: usize) -> Option<C> {
+        L::read(memory, row, column).map(inverse)
+    }
+}
+
+/// The colour with all bits of its code turned over.
+#[inline]
+fn inverse<C: Code>(color: C) -> C {
+    C::from_code(!color.code())
 }
 
 mod sealed {
@@ -209,6 +239,7 @@ mod sealed {
     impl<O> Sealed for super::Pages<O> {}
     impl<O> Sealed for super::Columns<O> {}
     impl<O> Sealed for super::Planes<O> {}
+    impl<O> Sealed for super::Words<O> {}
     impl<L> Sealed for super::Inverted<L> {}
 }
 
@@ -230,7 +261,7 @@ const fn phase(four: [u8; 4], index: usize) -> u8 {
     }
 }
 
-/// A run of bits that is filled in one line or in several: which bytes it touches, and how.
+/// A run of bits that is filled in one line or in several: which bytes of a line it touches, and how.
 #[derive(Clone, Copy, Debug)]
 struct BitRun {
     first: usize,
@@ -238,55 +269,121 @@ struct BitRun {
     /// The bits of the first and of the last byte that are in the run.
     head: u8,
     tail: u8,
-    /// Four bytes that repeat over the line, turned so that the run's first byte comes first.
-    pattern: u32,
-    /// What the last byte becomes.
-    right: u8,
 }
 
 impl BitRun {
     /// The bits from `bits.start` up to, not including, `bits.end` of a line, counted in order `O` from its
-    /// first byte; the big end of `pattern` is for bytes 0, 4, 8 … of the line.
+    /// first byte.
     #[inline]
-    fn new<O: Order>(bits: Range<usize>, pattern: u32) -> Self {
-        let (first, last) = (bits.start / 8, bits.end.saturating_sub(1) / 8);
-        let (before, after) = (low_index(bits.start) % 8, low_index(8_usize.wrapping_sub(bits.end % 8)) % 8);
+    fn new<O: Order>(bits: Range<usize>) -> Self {
+        let (first, last) = (bits.start / 8, bits.end.wrapping_sub(1) / 8);
+        let (before, after) = (low_index(bits.start) % 8, low_index(0_usize.wrapping_sub(bits.end)) % 8);
         let (head, tail) =
             if O::MSB_FIRST { (0xFF_u8 >> before, 0xFF_u8 << after) } else { (0xFF_u8 << before, 0xFF_u8 >> after) };
-        let from = |byte: usize| pattern.rotate_left(8 * (low_index(byte) & 3));
-        Self { first, last, head, tail, pattern: from(first), right: low_u8(from(last) >> 24) }
+        Self { first, last, head, tail }
     }
 
-    /// Fills the run in a line.
+    /// Fills the run in some lines with one byte over and over.
     #[inline]
-    fn fill(&self, line: &mut [u8]) {
-        let left = low_u8(self.pattern >> 24);
-        match line.get_mut(self.first..=self.last) {
-            Some([only]) => merge(only, self.head & self.tail, left),
+    fn fill_solid(&self, memory: Memory<&mut [u8]>, lines: Range<usize>, value: u8) {
+        let Some((bytes, stride)) = memory.from(lines.start, self.first) else { return };
+        let lines = lines.end.wrapping_sub(lines.start);
+        if self.first == self.last {
+            fill_column((bytes, stride), lines, (self.head & self.tail, value));
+        } else {
+            bytes.chunks_mut(stride).take(lines).for_each(|line| self.fill_line(line, value));
+        }
+    }
+
+    /// The same in one line.
+    #[inline]
+    fn fill_one(&self, memory: Memory<&mut [u8]>, line: usize, value: u8) {
+        if let Some((bytes, _)) = memory.from(line, self.first) {
+            self.fill_line(bytes, value);
+        }
+    }
+
+    /// One line, given from the first byte of the run on.
+    #[inline]
+    fn fill_line(&self, line: &mut [u8], value: u8) {
+        match line.get_mut(..=self.last.wrapping_sub(self.first)) {
+            Some([only]) => merge(only, self.head & self.tail, value),
             Some([first, middle @ .., last]) => {
-                merge(first, self.head, left);
-                fill_bytes(middle, self.pattern.rotate_left(8));
-                merge(last, self.tail, self.right);
+                merge(first, self.head, value);
+                merge(last, self.tail, value);
+                fill_bytes(middle, value);
             }
             _ => {}
         }
     }
+
+    /// Fills the run in some lines with four bytes that repeat over each; the big end of `pattern` is for
+    /// bytes 0, 4, 8 … of a line.
+    #[inline]
+    fn fill(&self, memory: Memory<&mut [u8]>, lines: Range<usize>, pattern: u32) {
+        let Some((bytes, stride)) = memory.from(lines.start, self.first) else { return };
+        let lines = lines.end.wrapping_sub(lines.start);
+        let four = pattern.rotate_left(8 * (low_index(self.first) & 3)).to_be_bytes();
+        let width = self.last.wrapping_sub(self.first).wrapping_add(1);
+        for line in bytes.chunks_mut(stride).take(lines) {
+            match line.get_mut(..width) {
+                Some([only]) => merge(only, self.head & self.tail, four[0]),
+                Some([first, middle @ .., last]) => {
+                    merge(first, self.head, four[0]);
+                    merge(last, self.tail, phase(four, middle.len().wrapping_add(1)));
+                    fill_pattern(middle, [four[1], four[2], four[3], four[0]]);
+                }
+                _ => return,
+            }
+        }
+    }
 }
 
-/// Fills whole bytes with four that repeat, the big end first.
+/// Gives some bits of the first byte of each line those of `value`.
 #[inline]
-fn fill_bytes(bytes: &mut [u8], pattern: u32) {
-    let four = pattern.to_be_bytes();
+fn fill_column((bytes, stride): (&mut [u8], usize), lines: usize, (mask, value): (u8, u8)) {
+    match value {
+        0 => each_line((bytes, stride), lines, |byte| *byte &= !mask),
+        0xFF => each_line((bytes, stride), lines, |byte| *byte |= mask),
+        _ => each_line((bytes, stride), lines, |byte| merge(byte, mask, value)),
+    }
+}
+
+#[inline]
+fn each_line((bytes, stride): (&mut [u8], usize), lines: usize, change: impl Fn(&mut u8)) {
+    let mut at = 0_usize;
+    for _ in 0..lines {
+        if let Some(byte) = bytes.get_mut(at) {
+            change(byte);
+        }
+        at = at.wrapping_add(stride);
+    }
+}
+
+/// Fills whole bytes with one value.
+#[inline]
+fn fill_bytes(bytes: &mut [u8], value: u8) {
     // The call of a block fill pays from some words on.
-    if bytes.len() >= 32 && pattern == pattern.rotate_left(8) {
-        bytes.fill(four[0]);
+    if bytes.len() >= 32 {
+        bytes.fill(value);
         return;
     }
+    for word in bytes.chunks_exact_mut(4) {
+        word.copy_from_slice(&[value; 4]);
+    }
+    // What is left over lies in the last four bytes.
+    match bytes.last_chunk_mut() {
+        Some(last) => *last = [value; 4],
+        None => bytes.iter_mut().for_each(|byte| *byte = value),
+    }
+}
+
+/// Fills whole bytes with four that repeat.
+#[inline]
+fn fill_pattern(bytes: &mut [u8], four: [u8; 4]) {
     let mut words = bytes.chunks_exact_mut(4);
     for word in &mut words {
-        for (byte, value) in word.iter_mut().zip(four) {
-            *byte = value;
-        }
+        word.copy_from_slice(&four);
     }
     for (byte, value) in words.into_remainder().iter_mut().zip(four) {
         *byte = value;

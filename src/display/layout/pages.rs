@@ -23,48 +23,101 @@ impl<C: Code<Raw = RawU1>, O: Order> Layout<C> for Pages<O> {
     const SHAPE: Shape = Shape { is_vertical: false, rows_per_line: 8, bits: 1, planes: 1 };
 
     #[inline]
-    fn fill(memory: Memory<&mut [u8]>, rows: Range<usize>, columns: Range<usize>, codes: [u8; 4]) {
-        let pages = rows.start / 8..rows.end.div_ceil(8);
-        let values = codes.map(spread);
-        let is_whole = rows.start.is_multiple_of(8) && rows.end.is_multiple_of(8) && columns == (0..memory.stride);
-        // Whole pages without gaps, all bytes alike: one block.
-        if is_whole && values == [values[0]; 4] {
-            let block = memory.bytes.get_mut(pages.start * memory.stride..pages.end * memory.stride);
-            block.unwrap_or_default().fill(values[0]);
+    fn fill(memory: Memory<&mut [u8]>, rows: Range<usize>, columns: Range<usize>, colors: [C; 4]) {
+        let values = colors.map(|color| spread(color.code()));
+        if values == [values[0]; 4] {
+            fill_area::<O>(memory, rows, columns, values[0]);
             return;
         }
-        for (page, line) in pages.clone().zip(memory.lines(pages)) {
-            let top = 8 * page;
-            let mask = bits_of::<O>(rows.start.max(top) - top..rows.end.min(top + 8) - top);
-            if let Some(window) = line.get_mut(columns.clone()) {
-                fill_page(window, columns.start, (mask, codes));
+        each_page::<O>(memory, rows, columns.clone(), |bytes, mask| {
+            for (column, byte) in (columns.start..).zip(bytes) {
+                merge(byte, mask, phase(values, column));
             }
+        });
+    }
+
+    #[inline]
+    fn fill_solid(memory: Memory<&mut [u8]>, rows: Range<usize>, columns: Range<usize>, color: C) {
+        if rows.end.wrapping_sub(rows.start) == 1 {
+            fill_row::<O>(memory, rows.start, columns, spread(color.code()));
+        } else {
+            fill_area::<O>(memory, rows, columns, spread(color.code()));
         }
     }
 
     #[inline]
-    fn write(memory: Memory<&mut [u8]>, row: usize, column: usize, codes: impl Iterator<Item = Option<u8>>) {
+    fn write(memory: Memory<&mut [u8]>, row: usize, column: usize, colors: impl Iterator<Item = Option<C>>) {
         let Some(window) = memory.line(row / 8).and_then(|line| line.get_mut(column..)) else { return };
-        let mask = bits_of::<O>(row % 8..row % 8 + 1);
+        let mask = bit_of::<O>(row);
         let mut bytes = window.iter_mut();
-        for code in codes {
+        for color in colors {
             let Some(byte) = bytes.next() else { return };
-            if let Some(code) = code {
-                merge(byte, mask, spread(code));
+            if let Some(color) = color {
+                merge(byte, mask, spread(color.code()));
             }
         }
     }
 
     #[inline]
-    fn set(memory: Memory<&mut [u8]>, row: usize, column: usize, code: u8) {
+    fn set(memory: Memory<&mut [u8]>, row: usize, column: usize, color: C) {
         if let Some(byte) = memory.byte(row / 8, column) {
-            merge(byte, bits_of::<O>(row % 8..row % 8 + 1), spread(code));
+            merge(byte, bit_of::<O>(row), spread(color.code()));
         }
     }
 
-    fn read(memory: Memory<&[u8]>, row: usize, column: usize) -> Option<u8> {
-        let mask = bits_of::<O>(row % 8..row % 8 + 1);
-        memory.line(row / 8)?.get(column).map(|byte| u8::from(byte & mask != 0))
+    #[inline]
+    fn read(memory: Memory<&[u8]>, row: usize, column: usize) -> Option<C> {
+        let byte = memory.line(row / 8)?.get(column)?;
+        Some(C::from_code(u8::from(byte & bit_of::<O>(row) != 0)))
+    }
+}
+
+/// Fills a run of one row with ones or zeros.
+#[inline]
+fn fill_row<O: Order>(memory: Memory<&mut [u8]>, row: usize, columns: Range<usize>, value: u8) {
+    if let Some((bytes, _)) = memory.from(row / 8, columns.start) {
+        let run = bytes.get_mut(..columns.end.wrapping_sub(columns.start));
+        fill_page(run.unwrap_or_default(), bit_of::<O>(row), value);
+    }
+}
+
+/// Fills several rows; out of the way of spans, which are one row each.
+#[inline(never)]
+fn fill_area<O: Order>(memory: Memory<&mut [u8]>, rows: Range<usize>, columns: Range<usize>, value: u8) {
+    let is_whole = rows.start.is_multiple_of(8) && rows.end.is_multiple_of(8) && columns == (0..memory.stride);
+    if is_whole {
+        // Whole pages without gaps: one block.
+        let block = rows.start / 8 * memory.stride..rows.end / 8 * memory.stride;
+        memory.bytes.get_mut(block).unwrap_or_default().fill(value);
+    } else if columns.end.wrapping_sub(columns.start) == 1 {
+        each_page::<O>(memory, rows, columns, |bytes, mask| {
+            if let [byte, ..] = bytes {
+                merge(byte, mask, value);
+            }
+        });
+    } else {
+        each_page::<O>(memory, rows, columns, |bytes, mask| fill_page(bytes, mask, value));
+    }
+}
+
+/// Calls `fill` with the bytes of an area in each page that it touches, and with the bits of its rows there.
+#[inline]
+fn each_page<O: Order>(
+    memory: Memory<&mut [u8]>,
+    rows: Range<usize>,
+    columns: Range<usize>,
+    mut fill: impl FnMut(&mut [u8], u8),
+) {
+    let (first, last) = (rows.start / 8, rows.end.wrapping_sub(1) / 8);
+    let Some((bytes, stride)) = memory.from(first, columns.start) else { return };
+    let (above, below) = (bits_of::<O>(rows.start % 8..8), bits_of::<O>(0..rows.end.wrapping_sub(1) % 8 + 1));
+    let width = columns.end.wrapping_sub(columns.start);
+    for (page, line) in (first..last.wrapping_add(1)).zip(bytes.chunks_mut(stride)) {
+        let mut mask = if page == first { above } else { 0xFF };
+        if page == last {
+            mask &= below;
+        }
+        fill(line.get_mut(..width).unwrap_or_default(), mask);
     }
 }
 
@@ -75,16 +128,25 @@ const fn bits_of<O: Order>(rows: Range<usize>) -> u8 {
     if O::MSB_FIRST { (0xFF >> above) & (0xFF << below) } else { (0xFF << above) & (0xFF >> below) }
 }
 
-/// A run of bytes of a page: in each the selected bits become those of its column.
+/// The bit of a row in its page.
 #[inline]
-fn fill_page(window: &mut [u8], first: usize, (mask, codes): (u8, [u8; 4])) {
-    match codes.map(spread) {
-        values @ ([0, 0, 0, 0] | [0xFF, 0xFF, 0xFF, 0xFF]) if mask == 0xFF => window.fill(values[0]),
-        [0, 0, 0, 0] => window.iter_mut().for_each(|byte| *byte &= !mask),
-        [0xFF, 0xFF, 0xFF, 0xFF] => window.iter_mut().for_each(|byte| *byte |= mask),
-        values => {
-            for (column, byte) in (first..).zip(window) {
-                merge(byte, mask, phase(values, column));
+const fn bit_of<O: Order>(row: usize) -> u8 {
+    if O::MSB_FIRST { 0x80 >> (low_index(row) % 8) } else { 1 << (low_index(row) % 8) }
+}
+
+/// A run of bytes of a page: in each the selected bits become those of `value`, all ones or zeros.
+#[inline]
+fn fill_page(bytes: &mut [u8], mask: u8, value: u8) {
+    match (mask, value) {
+        (0xFF, _) => bytes.fill(value),
+        (_, 0) => {
+            for byte in bytes {
+                *byte &= !mask;
+            }
+        }
+        _ => {
+            for byte in bytes {
+                *byte |= mask;
             }
         }
     }

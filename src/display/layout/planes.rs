@@ -10,40 +10,39 @@ use crate::{num::low_index, target::Code};
 /// Rows of the low bits of all codes, then rows of the high bits: e-paper of four greys or of three
 /// colours, whose controllers keep two memories of one bit a pixel.
 ///
-/// [`Frame::plane`](crate::Frame::plane) gives the bytes of either. Without a colour of its own for
-/// three inks, `Gray2` serves: code 0 to 3, the low bit in plane 0, the high bit in plane 1.
+/// [`Frame::plane`](crate::Frame::plane) gives the bytes of either: plane 0 the low bits, plane 1 the high
+/// ones. The colours are [`ThreeColor`](crate::ThreeColor) and `Gray2`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Planes<O = MsbFirst>(PhantomData<O>);
 
 impl<C: Code<Raw = RawU2>, O: Order> Layout<C> for Planes<O> {
     const SHAPE: Shape = Shape { is_vertical: false, rows_per_line: 1, bits: 1, planes: 2 };
 
-    fn fill(memory: Memory<&mut [u8]>, rows: Range<usize>, columns: Range<usize>, codes: [u8; 4]) {
+    fn fill(memory: Memory<&mut [u8]>, rows: Range<usize>, columns: Range<usize>, colors: [C; 4]) {
         let (low, high) = halves(memory);
         for (plane, shift) in [(low, 0), (high, 1)] {
-            let pattern = u32::from_ne_bytes([repeat::<O>(codes.map(|code| code >> shift)); 4]);
-            let run = BitRun::new::<O>(columns.clone(), pattern);
-            plane.lines(rows.clone()).for_each(|line| run.fill(line));
+            let value = repeat::<O>(colors.map(|color| color.code() >> shift));
+            BitRun::new::<O>(columns.clone()).fill_solid(plane, rows.clone(), value);
         }
     }
 
-    fn write(memory: Memory<&mut [u8]>, row: usize, column: usize, codes: impl Iterator<Item = Option<u8>>) {
+    fn write(memory: Memory<&mut [u8]>, row: usize, column: usize, colors: impl Iterator<Item = Option<C>>) {
         let (low, high) = halves(memory);
         let (Some(low), Some(high)) = (low.line(row), high.line(row)) else { return };
-        for (column, code) in (column..).zip(codes) {
+        for (column, color) in (column..).zip(colors) {
             let (Some(low), Some(high)) = (low.get_mut(column / 8), high.get_mut(column / 8)) else { return };
-            if let Some(code) = code {
-                merge(low, bit_of::<O>(column), spread(code));
-                merge(high, bit_of::<O>(column), spread(code >> 1));
+            if let Some(color) = color {
+                merge(low, bit_of::<O>(column), spread(color.code()));
+                merge(high, bit_of::<O>(column), spread(color.code() >> 1));
             }
         }
     }
 
-    fn read(memory: Memory<&[u8]>, row: usize, column: usize) -> Option<u8> {
+    fn read(memory: Memory<&[u8]>, row: usize, column: usize) -> Option<C> {
         let Memory { bytes, stride } = memory;
         let (low, high) = bytes.split_at_checked(bytes.len() / 2)?;
         let bit = |bytes| read_bit::<O>(Memory { bytes, stride }, row, column);
-        Some(bit(low)? | (bit(high)? << 1))
+        Some(C::from_code(bit(low)? | (bit(high)? << 1)))
     }
 }
 

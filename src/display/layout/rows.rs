@@ -2,7 +2,7 @@
 
 use core::{marker::PhantomData, ops::Range};
 
-use super::{BitRun, Layout, Memory, MsbFirst, Order, Shape, fill_bytes, merge};
+use super::{BitRun, Layout, Memory, MsbFirst, Order, Shape, merge};
 use crate::{
     num::{low_index, saturate_u32},
     target::Code,
@@ -24,35 +24,33 @@ impl<C: Code, O: Order> Layout<C> for Rows<O> {
     const SHAPE: Shape = Shape { is_vertical: false, rows_per_line: 1, bits: C::BITS, planes: 1 };
 
     #[inline]
-    fn fill(memory: Memory<&mut [u8]>, rows: Range<usize>, columns: Range<usize>, codes: [u8; 4]) {
-        let bits = C::BITS as usize;
-        let pattern = repeat_over_word::<C, O>(codes);
-        let (start, end) = (columns.start * bits, columns.end * bits);
-        // Whole lines without gaps, all bytes alike: one block.
-        if start == 0 && end == 8 * memory.stride && pattern == pattern.rotate_left(8) {
-            let block = memory.bytes.get_mut(rows.start * memory.stride..rows.end * memory.stride);
-            fill_bytes(block.unwrap_or_default(), pattern);
-            return;
-        }
-        let run = BitRun::new::<O>(start..end, pattern);
-        for line in memory.lines(rows) {
-            run.fill(line);
+    fn fill(memory: Memory<&mut [u8]>, rows: Range<usize>, columns: Range<usize>, colors: [C; 4]) {
+        let pattern = repeat_over_word::<C, O>(colors.map(C::code));
+        BitRun::new::<O>(bits_of::<C>(columns)).fill(memory, rows, pattern);
+    }
+
+    #[inline]
+    fn fill_solid(memory: Memory<&mut [u8]>, rows: Range<usize>, columns: Range<usize>, color: C) {
+        let (bits, value) = (bits_of::<C>(columns), repeat::<C>(color));
+        if rows.end.wrapping_sub(rows.start) == 1 {
+            BitRun::new::<O>(bits).fill_one(memory, rows.start, value);
+        } else {
+            fill_rows::<O>(memory, rows, bits, value);
         }
     }
 
     #[inline]
-    fn write(memory: Memory<&mut [u8]>, row: usize, column: usize, codes: impl Iterator<Item = Option<u8>>) {
+    fn write(memory: Memory<&mut [u8]>, row: usize, column: usize, colors: impl Iterator<Item = Option<C>>) {
         let (bits, start) = (C::BITS, column * C::BITS as usize);
         let Some(window) = memory.line(row).and_then(|line| line.get_mut(start / 8..)) else { return };
         let mut bytes = window.iter_mut();
-        let code_mask = 0xFF_u8 >> (8 - bits);
         // Pixels are gathered and go into a byte together: `used` bits of it are decided.
         let (mut mask, mut value, mut used) = (0_u8, 0_u8, bit_of(start));
-        for code in codes {
-            if let Some(code) = code {
+        for color in colors {
+            if let Some(color) = color {
                 let shift = if O::MSB_FIRST { 8 - bits - used } else { used };
-                mask |= code_mask << shift;
-                value |= (code & code_mask) << shift;
+                mask |= code_mask::<C>() << shift;
+                value |= (color.code() & code_mask::<C>()) << shift;
             }
             used += bits;
             if used == 8 {
@@ -68,19 +66,49 @@ impl<C: Code, O: Order> Layout<C> for Rows<O> {
     }
 
     #[inline]
-    fn set(memory: Memory<&mut [u8]>, row: usize, column: usize, code: u8) {
+    fn set(memory: Memory<&mut [u8]>, row: usize, column: usize, color: C) {
         let start = column * C::BITS as usize;
         if let Some(byte) = memory.byte(row, start / 8) {
-            let (shift, mask) = (shift_of::<C, O>(start), 0xFF_u8 >> (8 - C::BITS));
-            merge(byte, mask << shift, (code & mask) << shift);
+            merge(byte, code_mask::<C>() << shift_of::<C, O>(start), repeat::<C>(color));
         }
     }
 
-    fn read(memory: Memory<&[u8]>, row: usize, column: usize) -> Option<u8> {
-        let (bits, start) = (C::BITS, column * C::BITS as usize);
+    #[inline]
+    fn read(memory: Memory<&[u8]>, row: usize, column: usize) -> Option<C> {
+        let start = column * C::BITS as usize;
         let byte = memory.line(row)?.get(start / 8)?;
-        Some((byte >> shift_of::<C, O>(start)) & (0xFF >> (8 - bits)))
+        Some(C::from_code((byte >> shift_of::<C, O>(start)) & code_mask::<C>()))
     }
+}
+
+/// Several rows; out of the way of spans, which are one row each.
+#[inline(never)]
+fn fill_rows<O: Order>(memory: Memory<&mut [u8]>, rows: Range<usize>, bits: Range<usize>, value: u8) {
+    if bits.start == 0 && bits.end == memory.stride.wrapping_mul(8) {
+        // Whole rows without gaps: one block.
+        let block = rows.start.wrapping_mul(memory.stride)..rows.end.wrapping_mul(memory.stride);
+        memory.bytes.get_mut(block).unwrap_or_default().fill(value);
+    } else {
+        BitRun::new::<O>(bits).fill_solid(memory, rows, value);
+    }
+}
+
+/// The bits of a line that hold some columns.
+#[inline]
+const fn bits_of<C: Code>(columns: Range<usize>) -> Range<usize> {
+    columns.start.wrapping_mul(C::BITS as usize)..columns.end.wrapping_mul(C::BITS as usize)
+}
+
+/// As many ones as a code has bits.
+#[inline]
+const fn code_mask<C: Code>() -> u8 {
+    0xFF >> (8 - C::BITS)
+}
+
+/// A byte of pixels of one colour.
+#[inline]
+fn repeat<C: Code>(color: C) -> u8 {
+    (color.code() & code_mask::<C>()) * (0xFF / code_mask::<C>())
 }
 
 /// The bit within its byte, counted from the first one.
@@ -98,7 +126,7 @@ const fn shift_of<C: Code, O: Order>(start: usize) -> u32 {
 /// The four codes, again and again over the bytes of a line from its left end; the big end is the first.
 #[inline]
 fn repeat_over_word<C: Code, O: Order>(codes: [u8; 4]) -> u32 {
-    let [a, b, c, d] = codes.map(|code| u64::from(code & (0xFF >> (8 - C::BITS))));
+    let [a, b, c, d] = codes.map(|code| u64::from(code & code_mask::<C>()));
     let bits = C::BITS;
     let join = |a: u64, b, c, d| (((((a << bits) | b) << bits) | c) << bits) | d;
     let copies = u64::from(u32::MAX) / ((1 << (4 * bits)) - 1);
