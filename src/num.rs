@@ -111,6 +111,12 @@ pub(crate) const fn index(value: i32) -> usize {
     }
 }
 
+/// A number of pixels; what no picture is long becomes `i32::MAX`.
+#[inline]
+pub(crate) fn count_i32(value: usize) -> i32 {
+    i32::try_from(value).unwrap_or(i32::MAX)
+}
+
 /// Bytes or elements: a product that does not fit becomes `usize::MAX`, which no buffer reaches.
 #[inline]
 #[expect(clippy::cast_possible_truncation, reason = "tested")]

@@ -7,7 +7,6 @@
 use core::ops::Range;
 
 use embedded_graphics::{
-    Pixel,
     draw_target::DrawTarget,
     geometry::{Point, Size},
     pixelcolor::{
@@ -17,7 +16,13 @@ use embedded_graphics::{
     primitives::Rectangle,
 };
 
-use crate::{num::count, space::Rect, span::Sink};
+use heapless::Vec;
+
+use crate::{
+    num::{count, count_i32, index},
+    space::Rect,
+    span::Sink,
+};
 
 /// Takes runs of colours.
 pub trait Target {
@@ -118,8 +123,9 @@ impl<T: Target, I: Ink<Color = T::Color>> Sink for Brush<'_, T, I> {
 
 /// Any embedded-graphics display as a [`Target`].
 ///
-/// A run of one colour is one `fill_solid`, a run of a pattern one `fill_contiguous`; written
-/// colours go through `draw_iter`, because some of them may be absent.
+/// A run of one colour is one `fill_solid`, a run of a pattern one `fill_contiguous`. Written colours
+/// are one `fill_contiguous` for each stretch without an absent one, up to 64 pixels long: so a
+/// display that sets a window on its bus for each call does so seldom.
 #[derive(Debug)]
 pub struct OnDrawTarget<'d, D> {
     display: &'d mut D,
@@ -159,12 +165,32 @@ impl<D: DrawTarget> Target for OnDrawTarget<'_, D> {
         columns: Range<i32>,
         colors: impl Iterator<Item = Option<D::Color>>,
     ) -> Result<(), D::Error> {
-        let bounds = self.bounds;
-        let pixel = |(column, color): (i32, Option<D::Color>)| {
-            let point = Point::new(column, row);
-            color.filter(|_| bounds.contains(point)).map(|color| Pixel(point, color))
-        };
-        self.display.draw_iter(columns.zip(colors).filter_map(pixel))
+        let Some(visible) = self.bounds.clip_run(row, columns.clone()) else { return Ok(()) };
+        let hidden = index(visible.start.saturating_sub(columns.start));
+        let mut stretch = Vec::<D::Color, 64>::new();
+        let mut end = visible.start;
+        for color in colors.skip(hidden).take(visible.len()) {
+            if color.is_none() || stretch.is_full() {
+                self.write_stretch(row, end, &mut stretch)?;
+            }
+            // There is room: a full stretch has just been written.
+            let _ = color.map(|color| stretch.push(color));
+            end = end.saturating_add(1);
+        }
+        self.write_stretch(row, end, &mut stretch)
+    }
+}
+
+impl<D: DrawTarget> OnDrawTarget<'_, D> {
+    /// Writes colours that end before a column, and forgets them.
+    fn write_stretch(&mut self, row: i32, end: i32, colors: &mut Vec<D::Color, 64>) -> Result<(), D::Error> {
+        let width = count_i32(colors.len());
+        if width > 0 {
+            let area = run_area(row, &(end.saturating_sub(width)..end));
+            self.display.fill_contiguous(&area, colors.iter().copied())?;
+            colors.clear();
+        }
+        Ok(())
     }
 }
 

@@ -6,8 +6,8 @@ mod reference;
 use core::{convert::Infallible, fmt::Debug, iter};
 
 use aquatint::{
-    Code, Columns, Frame, Inverted, LsbFirst, MsbFirst, OnDrawTarget, Pages, Planes, Rows, Solid, Target, TooSmall,
-    display::layout::Layout,
+    Code, Columns, Frame, Inverted, LsbFirst, MsbFirst, OnDrawTarget, Pages, Planes, Rows, Solid, Spacing, Target,
+    TooSmall, Words, display::layout::Layout,
 };
 use embedded_graphics::{
     Pixel,
@@ -15,7 +15,10 @@ use embedded_graphics::{
     geometry::{Point, Size},
     image::GetPixel,
     mock_display::MockDisplay,
-    pixelcolor::{BinaryColor, Gray2, Gray4, Gray8},
+    pixelcolor::{
+        BinaryColor, Gray2, Gray4, Gray8, Rgb565,
+        raw::{RawData, RawU16},
+    },
     primitives::Rectangle,
 };
 use proptest::{collection::vec, prelude::*};
@@ -224,6 +227,12 @@ proptest! {
     }
 
     #[test]
+    fn pixels_of_two_bytes_too(width in 1..20_u32, height in 1..20_u32, steps in vec(step(), 1..8)) {
+        draw_words::<Words>(width, height, &steps, u16::to_be_bytes);
+        draw_words::<Words<LsbFirst>>(width, height, &steps, u16::to_le_bytes);
+    }
+
+    #[test]
     fn runs_on_a_borrowed_display_are_those_of_a_frame(width in 1..40_u32, height in 1..20_u32, step in run_step()) {
         on_every_layout!(draw_run(width, height, &step));
     }
@@ -246,6 +255,30 @@ fn draw_steps<C: Code + Debug, L: Layout<C>>(packing: Packing, width: u32, heigh
         step.draw_slowly(&mut expected);
     }
     conform::<C, L>(packing, &expected, |frame| steps.iter().for_each(|step| step.draw(frame)));
+}
+
+/// On lines with a byte between them.
+fn draw_words<L: Layout<Rgb565>>(width: u32, height: u32, steps: &[Step], order: fn(u16) -> [u8; 2]) {
+    let color = |code: u8| Rgb565::from(RawU16::new(u16::from_be_bytes([code, !code])));
+    let (stride, mut expected) = (2 * width as usize + 1, Reference::new(width, height));
+    let mut frame = Frame::<Rgb565, L, _>::with_spacing(
+        vec![GUARD; stride * height as usize],
+        Size::new(width, height),
+        Spacing { before: 0, stride },
+    )
+    .expect("large enough");
+    for step in steps {
+        step.draw_in(&mut frame, color);
+        step.draw_slowly_in(&mut expected, color);
+    }
+    for (y, row) in expected.pixels().chunks(width as usize).enumerate() {
+        let bytes = |pixel: &Option<Rgb565>| pixel.map_or([GUARD; 2], |color| order(RawU16::from(color).into_inner()));
+        let line: Vec<u8> = row.iter().flat_map(bytes).chain([GUARD]).collect();
+        assert_eq!(frame.bytes()[y * stride..][..stride], line, "row {y}");
+        for (x, color) in row.iter().enumerate().filter_map(|(x, &color)| Some((x, color?))) {
+            assert_eq!(frame.pixel(Point::new(size_i32(x), size_i32(y))), Some(color));
+        }
+    }
 }
 
 fn draw_run<C: Code + Debug, L: Layout<C>>(packing: Packing, width: u32, height: u32, step: &Step) {

@@ -12,6 +12,7 @@ use embedded_graphics::{
     draw_target::DrawTarget,
     geometry::{OriginDimensions, Point, Size},
     image::GetPixel,
+    pixelcolor::PixelColor,
 };
 
 /// Calls a generic function for each packing that a panel may have.
@@ -103,7 +104,7 @@ pub struct Reference<C> {
     pixels: Vec<Option<C>>,
 }
 
-impl<C: Code> Reference<C> {
+impl<C: PixelColor> Reference<C> {
     pub fn new(width: u32, height: u32) -> Self {
         Self { width, height, pixels: vec![None; width as usize * height as usize] }
     }
@@ -120,7 +121,9 @@ impl<C: Code> Reference<C> {
     pub fn pixels(&self) -> &[Option<C>] {
         &self.pixels
     }
+}
 
+impl<C: Code> Reference<C> {
     /// `memory` with the drawn pixels in it.
     pub fn packed(&self, packing: Packing, spacing: Spacing, mut memory: Vec<u8>) -> Vec<u8> {
         let (width, height, bits) = (self.width as usize, self.height as usize, C::BITS as usize);
@@ -143,7 +146,7 @@ impl<C> OriginDimensions for Reference<C> {
     }
 }
 
-impl<C: Code> DrawTarget for Reference<C> {
+impl<C: PixelColor> DrawTarget for Reference<C> {
     type Color = C;
     type Error = Infallible;
 

@@ -7,6 +7,7 @@ use embedded_graphics::{
     Pixel,
     draw_target::DrawTarget,
     geometry::{Point, Size},
+    pixelcolor::PixelColor,
     primitives::Rectangle,
 };
 use proptest::{collection::vec, option, prelude::*, sample::select};
@@ -109,14 +110,21 @@ impl Step {
     where
         T: Target<Color = C, Error = Infallible> + DrawTarget<Color = C, Error = Infallible>,
     {
-        let color = C::from_code;
+        self.draw_in(target, C::from_code);
+    }
+
+    /// The same in the colours that a function gives for the codes.
+    pub fn draw_in<C: PixelColor, T>(&self, target: &mut T, color: fn(u8) -> C)
+    where
+        T: Target<Color = C, Error = Infallible> + DrawTarget<Color = C, Error = Infallible>,
+    {
         let Ok(()) = match self {
             Self::Clear(code) => target.clear(color(*code)),
             Self::FillSolid(area, code) => target.fill_solid(area, color(*code)),
             Self::FillContiguous(area, number) => target.fill_contiguous(area, Numbered { numbers: 0..*number, color }),
             Self::DrawIter(pixels) => target.draw_iter(pixels.iter().map(|&(at, code)| Pixel(at, color(code)))),
             Self::FillRun(..) | Self::WriteRun(..) => {
-                self.draw_run(target);
+                self.draw_run_in(target, color);
                 Ok(())
             }
         };
@@ -124,7 +132,14 @@ impl Step {
 
     /// Draws a run; nothing else.
     pub fn draw_run<C: Code>(&self, target: &mut impl Target<Color = C, Error = Infallible>) {
-        let color = C::from_code;
+        self.draw_run_in(target, C::from_code);
+    }
+
+    /// The same in the colours that a function gives for the codes.
+    pub fn draw_run_in<C>(&self, target: &mut impl Target<Color = C, Error = Infallible>, color: fn(u8) -> C)
+    where
+        C: PixelColor,
+    {
         let Ok(()) = match self {
             Self::FillRun(row, columns, codes) => {
                 target.fill_run(*row, columns.clone(), &Weave(codes.map(|four| four.map(color))))
@@ -138,7 +153,12 @@ impl Step {
 
     /// What the step makes of each pixel, by what the words of the interfaces say.
     pub fn draw_slowly<C: Code>(&self, reference: &mut Reference<C>) {
-        reference.draw(|x, y| self.code_at(x, y).map(C::from_code));
+        self.draw_slowly_in(reference, C::from_code);
+    }
+
+    /// The same in the colours that a function gives for the codes.
+    pub fn draw_slowly_in<C: PixelColor>(&self, reference: &mut Reference<C>, color: fn(u8) -> C) {
+        reference.draw(|x, y| self.code_at(x, y).map(color));
     }
 
     fn code_at(&self, x: i32, y: i32) -> Option<u8> {
