@@ -56,6 +56,7 @@ mod matrix;
 mod num;
 mod outcode;
 mod palette;
+mod runs;
 mod space;
 mod span;
 mod style;
@@ -72,6 +73,7 @@ pub mod raster;
 
 pub use colour::Light;
 pub use display::{
+    dirty::{Changed, Dirty, DirtyWindow, Grain, Tracked},
     dither::Dithered,
     frame::{Frame, Spacing, TooSmall},
     layout::{Columns, Inverted, LsbFirst, MsbFirst, Pages, Planes, Rows, Words},
@@ -85,7 +87,13 @@ pub use matrix::Matrix;
 pub use num::{Scalar, Subpixel};
 pub use outcode::Outcode;
 pub use palette::{Rgb332, ThreeColor};
-pub use raster::{bresenham::Line, polygon::Polygon, triangle::Triangle};
+pub use raster::{
+    bresenham::Line,
+    flood::{Connectivity, Flood, InPlace, InPlaceError, Region},
+    polygon::Polygon,
+    triangle::Triangle,
+};
+pub use runs::{Inside, PerPixel, Runs};
 pub use space::{
     CLIP_LIMIT, Clip, GUARD_BAND, LEAST_W, Model, Point2, Point3, Point4, Rect, Vector3, View, World, twice_area,
 };

@@ -11,11 +11,13 @@
 //! ```
 
 pub mod blit;
+pub mod dirty;
 pub mod dither;
 pub mod frame;
 pub mod layout;
 pub mod level;
 pub mod reencode;
+pub mod region;
 pub mod transpose;
 pub mod turned;
 pub mod window;

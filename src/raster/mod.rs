@@ -23,5 +23,6 @@
 //! ```
 
 pub mod bresenham;
+pub mod flood;
 pub mod polygon;
 pub mod triangle;

@@ -4,11 +4,11 @@
 
 use std::ops::Range;
 
-use aquatint::{Frame, Rows};
+use aquatint::{Changed, Dirty, DirtyWindow, Frame, Grain, Rows, TooSmall};
 use aquatint_simulator::Panel;
 use display_interface::{DisplayError, WriteOnlyDataCommand};
 use display_interface_spi::SPIInterface;
-use embedded_graphics::pixelcolor::BinaryColor;
+use embedded_graphics::{pixelcolor::BinaryColor, prelude::*, primitives::Rectangle};
 use embedded_hal::{
     delay::DelayNs,
     digital::{InputPin, OutputPin},
@@ -45,6 +45,42 @@ pub fn show_rows<I: WriteOnlyDataCommand, B: InputPin, R: OutputPin, D: DelayNs>
     panel.fast_partial_update_from_buffer(bytes, 0, start, 128, end - start)
 }
 
+/// Shows what changed, by one fast refresh: three times the bytes of each window.
+///
+/// A window as wide as the panel goes out in place. The driver wants the others in one piece too: they are copied
+/// into `buffer`, for which the largest window has to be small enough.
+pub fn show_dirty<I: WriteOnlyDataCommand, B: InputPin, R: OutputPin, D: DelayNs>(
+    panel: &mut WeActStudio213BlackWhiteDriver<I, B, R, D>,
+    frame: &Frame<BinaryColor, Rows, impl AsRef<[u8]>>,
+    dirty: &mut Dirty<impl AsRef<[Changed]> + AsMut<[Changed]>>,
+    buffer: &mut [u8],
+) -> Result<(), DisplayError> {
+    if dirty.is_clean() {
+        return Ok(());
+    }
+    for window in dirty.windows(frame, Grain::SSD1680) {
+        let ([x, y, width, height], bytes) = in_one_piece(&window, buffer)?;
+        panel.write_partial_bw_buffer(bytes, x, y, width, height)?;
+    }
+    panel.fast_refresh()?;
+    // Old and new pixels, for the next fast refresh.
+    for window in dirty.windows(frame, Grain::SSD1680) {
+        let ([x, y, width, height], bytes) = in_one_piece(&window, buffer)?;
+        panel.write_partial_red_buffer(bytes, x, y, width, height)?;
+        panel.write_partial_bw_buffer(bytes, x, y, width, height)?;
+    }
+    dirty.clear();
+    Ok(())
+}
+
+/// Where a window is, in whole bytes, and its bytes.
+fn in_one_piece<'m>(window: &DirtyWindow<'m>, buffer: &'m mut [u8]) -> Result<([u32; 4], &'m [u8]), DisplayError> {
+    let area = window.area();
+    let place = [area.left.cast_unsigned(), area.top.cast_unsigned(), area.width().next_multiple_of(8), area.height()];
+    let copy = |_: TooSmall| DisplayError::OutOfBoundsError;
+    Ok((place, window.contiguous().map_or_else(|| window.copy_to(buffer).map_err(copy), Ok)?))
+}
+
 /// Shows a frame of 128 × 296 by `epd-waveshare`: 4740 bus writes of one byte each.
 ///
 /// The driver sets `SINGLE_BYTE_WRITE` for this panel, as for most of its panels; each byte is an SPI
@@ -79,12 +115,17 @@ fn command(command: u8, data: &[u8]) -> [Packet; 2] {
     [Packet::Command(vec![command]), Packet::Data(data.to_vec())]
 }
 
-/// A window of the controller's memory and what goes there; 24h are the new pixels, 26h the old ones.
+/// Rows of the controller's memory and what goes there; 24h are the new pixels, 26h the old ones.
 fn load(memory: u8, rows: Range<u8>, bytes: &[u8]) -> Vec<Packet> {
+    load_window(memory, 0..16, rows, bytes)
+}
+
+/// A window, in bytes of a row and in rows.
+fn load_window(memory: u8, columns: Range<u8>, rows: Range<u8>, bytes: &[u8]) -> Vec<Packet> {
     let packets = [
-        command(0x44, &[0, 15]),                          // bytes of a row, first and last
-        command(0x45, &[rows.start, 0, rows.end - 1, 0]), // rows, first and last
-        command(0x4E, &[0]),
+        command(0x44, &[columns.start, columns.end - 1]),
+        command(0x45, &[rows.start, 0, rows.end - 1, 0]),
+        command(0x4E, &[columns.start]),
         command(0x4F, &[rows.start, 0]),
         command(memory, bytes),
     ];
@@ -121,6 +162,52 @@ fn rows_go_out_in_place_three_times() {
     assert_eq!(bus.writes().iter().filter(|write| write.is(rows)).count(), 3);
     // The waveform, 32h and 153 bytes, comes once between them.
     assert_eq!(bus.cost(frame.bytes()), Cost { writes: 35, bytes: 3 * (14 + 640) + 154 + 3, in_place: 3 });
+}
+
+/// The panel shows a frame; then an area of it is turned over and shown.
+fn show_inverted(area: Rectangle) -> (Bus, Frame<BinaryColor, Rows, Vec<u8>>) {
+    let (bus, mut frame, mut dirty) = (Bus::default(), picture(&WEACT), Dirty::new([Changed::NOTHING; 250]));
+    let mut panel = set_up_weact(&bus);
+    show(&mut panel, &frame).expect("infallible");
+    bus.forget();
+    for color in [BinaryColor::On, BinaryColor::Off] {
+        let Ok(()) = dirty.track(&mut frame).fill_solid(&area, color);
+    }
+    show_dirty(&mut panel, &frame, &mut dirty, &mut [0; 40]).expect("room for it");
+    assert!(dirty.is_clean());
+    (bus, frame)
+}
+
+#[test]
+fn a_narrow_window_is_copied() {
+    let (bus, frame) = show_inverted(Rectangle::new(Point::new(101, 200), Size::new(21, 10)));
+
+    // The last byte has two pixels that exist.
+    let rows = frame.bytes().chunks_exact(16).skip(200).take(10);
+    let bytes = rows.flat_map(|row| &row[12..16]).copied().collect::<Vec<_>>();
+    let packets = bus.packets();
+    assert_eq!(packets[..10], load_window(0x24, 12..16, 200..210, &bytes));
+    let after = [0x26, 0x24].map(|memory| load_window(memory, 12..16, 200..210, &bytes)).concat();
+    assert_eq!(packets[packets.len() - 20..], after);
+    assert_eq!(bus.cost(frame.bytes()), Cost { writes: 35, bytes: 3 * (14 + 40) + 154 + 3, in_place: 0 });
+}
+
+#[test]
+fn a_wide_window_goes_out_in_place() {
+    let (bus, frame) = show_inverted(Rectangle::new(Point::new(3, 20), Size::new(119, 40)));
+
+    let rows = &frame.bytes()[16 * 20..16 * 60];
+    assert_eq!(bus.packets()[..10], load(0x24, 20..60, rows));
+    assert_eq!(bus.writes().iter().filter(|write| write.is(rows)).count(), 3);
+    assert_eq!(bus.cost(frame.bytes()), Cost { writes: 35, bytes: 3 * (14 + 640) + 154 + 3, in_place: 3 });
+}
+
+#[test]
+fn a_clean_frame_is_not_refreshed() {
+    let (bus, frame) = (Bus::default(), picture(&WEACT));
+    let mut panel = set_up_weact(&bus);
+    show_dirty(&mut panel, &frame, &mut Dirty::new([Changed::NOTHING; 250]), &mut []).expect("nothing to do");
+    assert_eq!(bus.events(), []);
 }
 
 #[test]

@@ -3,15 +3,19 @@
 //! | panel | file | by | bus writes | bytes | taken in place |
 //! |---|---|---|---|---|---|
 //! | SSD1306, SPI | `oled_spi` | `ssd1306` | 3 | 1030 | 1 of 1 |
+//! | | | what changed | 2 a window, 1 a page | 6 a window | all |
 //! | SSD1306, I²C | `oled_i2c` | `ssd1306` | 66 | 1096 | 0 of 64 |
 //! | | | one transaction | 3 | 1032 | 1 of 1 |
 //! | | | prefix in memory | 2 | 1032 | 1 of 1 |
 //! | SSD1306, async SPI | `oled_async` | hand | 2 | 1030 | 1 of 1 |
 //! | SSD1680 e-paper 122×250 | `epaper` | `weact-studio-epd` | 43 | 16,059 | 4 of 4 |
+//! | | | what changed | 30 a window, 5 | 42 a window + 3 times its bytes, 157 | all of full width |
 //! | SSD1680 e-paper 128×296 | `epaper` | `epd-waveshare` | 4740 | 4740 | 0 of 4736 |
 //! | Sharp LS027B7DH01 | `sharp` | hand | 481 | 12,482 | 240 of 240 |
-//! | | | addresses in memory | 2 | 12,482 | 1 of 1 |
+//! | | | lines that changed | 2 a line, 1 | 52 a line, 2 | all |
+//! | | | addresses in memory | 1 | 12,482 | 1 of 1 |
 //! | SSD1322 256×64 | `grey_oled` | hand | 6 | 8199 | 1 of 1 |
+//! | | | what changed | 5 a window, 1 a row | 7 a window | all |
 //! | SSD1327 128×128 | `grey_oled` | hand | 2 | 8198 | 1 of 1 |
 //! | ST7565 128×64 | `st7565_lcd` | `st7565` | 24 | 1048 | 8 of 8 |
 //! | ST7789 240×240, shapes | `tft` | `mipidsi` | 7 a span | 11 + 2 a pixel | no frame |

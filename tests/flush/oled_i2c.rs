@@ -1,9 +1,9 @@
 //! SSD1306 on I²C, three ways: the byte 40h, "data follow", must come before the frame in the same transfer.
 
-use aquatint::{Frame, Pages};
+use aquatint::{Frame, Pages, Spacing};
 use aquatint_simulator::Panel;
 use display_interface::DisplayError;
-use embedded_graphics::pixelcolor::BinaryColor;
+use embedded_graphics::{geometry::Size, pixelcolor::BinaryColor};
 use embedded_hal::i2c::{I2c, Operation};
 use ssd1306::{I2CDisplayInterface, Ssd1306, command::AddrMode, prelude::*};
 
@@ -34,10 +34,21 @@ pub fn flush<I: I2c>(bus: &mut I, frame: &Frame<BinaryColor, Pages, impl AsRef<[
 
 /// Sends a frame with its 40h in front, for any HAL: 2 bus writes, 1032 bytes, no copy.
 ///
-/// The frame was drawn by `Frame::new(&mut memory[1..], 128, 64)`; `memory[0]` is 40h from the start.
-pub fn flush_with_prefix<I: I2c>(bus: &mut I, memory: &[u8; 1 + 1024]) -> Result<(), I::Error> {
+/// For a frame [`with_prefix`].
+pub fn flush_with_prefix<I: I2c>(
+    bus: &mut I,
+    frame: &Frame<BinaryColor, Pages, impl AsRef<[u8]>>,
+) -> Result<(), I::Error> {
     bus.write(ADDRESS, &WHOLE_PANEL)?;
-    bus.write(ADDRESS, memory)
+    bus.write(ADDRESS, frame.memory())
+}
+
+/// An empty frame with a byte in front, which is 40h for good: drawing does not touch it.
+pub fn with_prefix() -> Frame<BinaryColor, Pages, [u8; 1 + 1024]> {
+    let mut memory = [0; 1 + 1024];
+    memory[0] = 0x40;
+    let spacing = Spacing { before: 1, stride: 128 };
+    Frame::with_spacing(memory, Size::new(128, 64), spacing).expect("large enough")
 }
 
 fn picture() -> Frame<BinaryColor, Pages, [u8; 1024]> {
@@ -85,14 +96,12 @@ fn a_transaction_takes_the_frame_in_place() {
 
 #[test]
 fn a_prefix_in_memory_makes_it_one_write() {
-    let (mut bus, mut memory) = (Bus::default(), [0; 1 + 1024]);
-    memory[0] = 0x40;
-    one_bit(Frame::<_, Pages, _>::new(&mut memory[1..], 128, 64).expect("large enough"));
-    flush_with_prefix(&mut bus, &memory).expect("infallible");
+    let (mut bus, frame) = (Bus::default(), one_bit(with_prefix()));
+    flush_with_prefix(&mut bus, &frame).expect("infallible");
 
     let [window, data] = &bus.writes()[..] else { panic!("two writes") };
     assert_eq!(window.bytes, WHOLE_PANEL);
-    assert!(data.is(&memory));
-    assert_eq!(bus.cost(&memory), Cost { writes: 2, bytes: 1032, in_place: 1 });
+    assert!(data.is(frame.memory()));
+    assert_eq!(bus.cost(frame.memory()), Cost { writes: 2, bytes: 1032, in_place: 1 });
     assert_shows(Panel::SSD1306_128X64, behind(0x40, &data.bytes), &picture());
 }

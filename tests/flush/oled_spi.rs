@@ -2,10 +2,10 @@
 
 use std::ops::Range;
 
-use aquatint::{Frame, Pages};
+use aquatint::{Changed, Dirty, Frame, Grain, Pages, Rect};
 use aquatint_simulator::Panel;
 use display_interface::{DisplayError, WriteOnlyDataCommand};
-use embedded_graphics::pixelcolor::BinaryColor;
+use embedded_graphics::{pixelcolor::BinaryColor, prelude::*, primitives::Rectangle};
 use ssd1306::{Ssd1306, command::AddrMode, mode::BasicMode, prelude::*};
 
 use crate::bus::{Bus, Cost, Packet};
@@ -33,6 +33,28 @@ pub fn flush_window<DI: WriteOnlyDataCommand>(
     panel.set_draw_area(start, end)?;
     // The driver counts the last row in here, and only here: with `end` it would send a page too many.
     panel.bounded_draw(frame.bytes(), 128, start, (end.0, end.1 - 1))
+}
+
+/// Sends what changed: for each window 2 bus writes, 6 bytes, and a write for each of its pages, no copy.
+pub fn flush_dirty<DI: WriteOnlyDataCommand>(
+    panel: &mut Ssd1306<DI, DisplaySize128x64, BasicMode>,
+    frame: &Frame<BinaryColor, Pages, impl AsRef<[u8]>>,
+    dirty: &mut Dirty<impl AsRef<[Changed]> + AsMut<[Changed]>>,
+) -> Result<(), DisplayError> {
+    for window in dirty.windows(frame, Grain::SSD1306) {
+        let [left, top, right, bottom] = corners(window.area());
+        panel.set_draw_area((left, top), (right, bottom))?;
+        for page in window.slices() {
+            panel.draw(page)?;
+        }
+    }
+    dirty.clear();
+    Ok(())
+}
+
+/// No coordinate is more than 128.
+fn corners(area: Rect) -> [u8; 4] {
+    [area.left, area.top, area.right, area.bottom].map(|at| u8::try_from(at).unwrap_or(128))
 }
 
 /// The panel and its picture; what `init` sends is the driver's matter.
@@ -72,4 +94,36 @@ fn a_window_goes_out_in_place() {
     expected.extend((2..5).map(|page| Packet::Data(frame.bytes()[128 * page + 40..128 * page + 72].to_vec())));
     assert_eq!(bus.packets(), expected);
     assert_eq!(bus.cost(frame.bytes()), Cost { writes: 5, bytes: 6 + 3 * 32, in_place: 3 });
+}
+
+#[test]
+fn what_changed_goes_out_in_place() {
+    let (bus, mut frame, mut dirty) = (Bus::default(), picture(), Dirty::new([Changed::NOTHING; 8]));
+    let mut panel = set_up(&bus);
+    let old = frame.bytes().to_vec();
+    let mut tracked = dirty.track(&mut frame);
+    // In pages 2 and 3 the same columns; in pages 4 and 7 others.
+    for (corner, size) in [((40, 20), (24, 10)), ((80, 35), (8, 3)), ((0, 63), (1, 1))] {
+        let area = Rectangle::new(corner.into(), size.into());
+        for color in [BinaryColor::On, BinaryColor::Off] {
+            let Ok(()) = tracked.fill_solid(&area, color);
+        }
+    }
+    flush_dirty(&mut panel, &frame, &mut dirty).expect("infallible");
+
+    let window = |columns: [u8; 2], pages: [u8; 2]| {
+        [[0x21, columns[0], columns[1]], [0x22, pages[0], pages[1]]].map(|bytes| Packet::Command(bytes.to_vec()))
+    };
+    let data = |start: usize, end: usize| Packet::Data(frame.bytes()[start..end].to_vec());
+    let expected = [
+        &window([40, 63], [2, 3])[..],
+        &[data(2 * 128 + 40, 2 * 128 + 64), data(3 * 128 + 40, 3 * 128 + 64)],
+        &window([80, 87], [4, 4]),
+        &[data(4 * 128 + 80, 4 * 128 + 88)],
+        &window([0, 0], [7, 7]),
+        &[data(7 * 128, 7 * 128 + 1)],
+    ];
+    assert_eq!(bus.packets(), expected.concat());
+    assert_eq!(bus.cost(frame.bytes()), Cost { writes: 10, bytes: 3 * 6 + 2 * 24 + 8 + 1, in_place: 4 });
+    assert!(dirty.is_clean() && frame.bytes() != old);
 }

@@ -10,13 +10,18 @@
 
 use std::{convert::Infallible, ops::Range};
 
-use aquatint::{Frame, Levels, Rows};
+use aquatint::{Changed, Dirty, Frame, Grain, Rows, Spacing};
 use aquatint_simulator::Panel;
-use embedded_graphics::{pixelcolor::BinaryColor, prelude::*, primitives::Rectangle};
+use embedded_graphics::{
+    image::GetPixel,
+    pixelcolor::BinaryColor,
+    prelude::*,
+    primitives::{Circle, PrimitiveStyle, Rectangle},
+};
 use embedded_hal::{delay::DelayNs, digital::OutputPin, spi::SpiBus};
 
 use crate::bus::{Bus, Cost, Event};
-use crate::{assert_shows, draw_picture, one_bit};
+use crate::{assert_shows, one_bit};
 
 /// M0: write lines.
 const WRITE: u8 = 0x80;
@@ -49,11 +54,34 @@ impl<S: SpiBus, P: OutputPin<Error = Infallible>, D: DelayNs> Sharp<S, P, D> {
         self.deselect()
     }
 
-    /// Sends a frame that has room for the addresses: 2 bus writes, 12,482 bytes, no copy.
-    pub fn flush_spaced(&mut self, memory: &[u8; SPACED]) -> Result<(), S::Error> {
+    /// Sends the lines that changed, in one transfer: 2 bus writes and 52 bytes each, 1 and 2 more.
+    pub fn flush_dirty(
+        &mut self,
+        frame: &Frame<BinaryColor, Rows, impl AsRef<[u8]>>,
+        dirty: &mut Dirty<impl AsRef<[Changed]> + AsMut<[Changed]>>,
+    ) -> Result<(), S::Error> {
+        if dirty.is_clean() {
+            return Ok(());
+        }
         self.select();
-        self.bus.write(&[WRITE, 1_u8.reverse_bits()])?;
-        self.bus.write(memory)?;
+        let mut before = WRITE;
+        for window in dirty.windows(frame, Grain::SHARP) {
+            let lines = window.area().rows().map(|row| u8::try_from(row + 1).unwrap_or_default());
+            for (line, row) in lines.zip(window.slices()) {
+                self.bus.write(&[before, line.reverse_bits()])?;
+                self.bus.write(row)?;
+                before = 0;
+            }
+        }
+        self.bus.write(&[0, 0])?;
+        dirty.clear();
+        self.deselect()
+    }
+
+    /// Sends a frame that is [`addressed`]: 1 bus write, 12,482 bytes, no copy.
+    pub fn flush_addressed(&mut self, frame: &Frame<BinaryColor, Rows, impl AsRef<[u8]>>) -> Result<(), S::Error> {
+        self.select();
+        self.bus.write(frame.memory())?;
         self.deselect()
     }
 
@@ -72,18 +100,19 @@ impl<S: SpiBus, P: OutputPin<Error = Infallible>, D: DelayNs> Sharp<S, P, D> {
     }
 }
 
-/// Bytes of a frame with two spare ones behind each line.
-const SPACED: usize = (LINE + 2) * 240;
+/// Bytes of the whole transfer: command and address, and for each line pixels, end and the next address.
+const ADDRESSED: usize = 2 + (LINE + 2) * 240;
 
-/// Puts into the spare bytes the end of the line and the address of the next one; once is enough.
-///
-/// A frame of 416 × 240 on this memory has them in its last 16 columns, where nothing may be drawn: draw on
-/// `frame.clipped(…)` of the left 400.
-pub fn address(memory: &mut [u8; SPACED]) {
-    for (line, next) in memory.chunks_exact_mut(LINE + 2).zip(2..=241_u8) {
-        let address = if next <= 240 { next.reverse_bits() } else { 0 };
-        line[LINE..].copy_from_slice(&[0, address]);
+/// An empty frame with all that goes between the lines on the wires; drawing does not touch it.
+pub fn addressed() -> Frame<BinaryColor, Rows, Vec<u8>> {
+    let mut memory = vec![0; ADDRESSED];
+    memory[..2].copy_from_slice(&[WRITE, 1_u8.reverse_bits()]);
+    // Behind the last line there is one more byte of nothing.
+    for (line, next) in memory[2..].chunks_exact_mut(LINE + 2).zip((2..=240_u8).chain([0])) {
+        line[LINE..].copy_from_slice(&[0, next.reverse_bits()]);
     }
+    let spacing = Spacing { before: 2, stride: LINE + 2 };
+    Frame::with_spacing(memory, Size::new(400, 240), spacing).expect("large enough")
 }
 
 fn set_up(bus: &Bus) -> Sharp<Bus, impl OutputPin<Error = Infallible>, Bus> {
@@ -138,14 +167,36 @@ fn some_lines_cost_less() {
 }
 
 #[test]
-fn addresses_in_memory_make_it_one_write() {
-    let (bus, mut memory) = (Bus::default(), [0; SPACED]);
-    address(&mut memory);
-    let mut frame = Frame::<BinaryColor, Rows, _>::new(&mut memory[..], 416, 240).expect("large enough");
-    draw_picture(&mut frame.clipped(&Rectangle::new(Point::zero(), Size::new(400, 240))), Levels::ONE_BIT);
-    set_up(&bus).flush_spaced(&memory).expect("infallible");
+fn only_lines_that_changed_go_out() {
+    let (bus, mut frame, mut dirty) = (Bus::default(), picture(), Dirty::new([Changed::NOTHING; 240]));
+    let mut panel = set_up(&bus);
+    panel.flush_dirty(&frame, &mut dirty).expect("infallible");
+    assert_eq!(bus.events(), [], "nothing has changed");
 
-    assert_eq!(bus.cost(&memory), Cost { writes: 2, bytes: 12_482, in_place: 1 });
-    assert!(bus.writes()[1].is(&memory));
+    let dot = Circle::new(Point::new(200, 17), 3).into_styled(PrimitiveStyle::with_fill(BinaryColor::On));
+    let point = Pixel(Point::new(399, 239), frame.pixel(Point::new(399, 239)).expect("inside").invert());
+    let mut tracked = dirty.track(&mut frame);
+    let Ok(()) = tracked.fill_solid(&Rectangle::new(Point::new(200, 17), Size::new(9, 3)), BinaryColor::Off);
+    let (Ok(()), Ok(())) = (dot.draw(&mut tracked), point.draw(&mut tracked));
+    panel.flush_dirty(&frame, &mut dirty).expect("infallible");
+
+    let rows: Vec<&[u8]> = frame.bytes().chunks_exact(LINE).collect();
+    let line = |command: u8, number: u8| {
+        let row = rows[usize::from(number) - 1];
+        [&[command, number.reverse_bits()], row].concat()
+    };
+    assert_eq!(bus.bytes(), [line(WRITE, 18), line(0, 19), line(0, 20), line(0, 240), vec![0, 0]].concat());
+    assert_eq!(bus.cost(frame.bytes()), Cost { writes: 9, bytes: 4 * 52 + 2, in_place: 4 });
+    assert!(bus.writes()[1].is(rows[17]) && bus.writes()[7].is(rows[239]));
+    assert!(dirty.is_clean());
+}
+
+#[test]
+fn addresses_in_memory_make_it_one_write() {
+    let (bus, frame) = (Bus::default(), one_bit(addressed()));
+    set_up(&bus).flush_addressed(&frame).expect("infallible");
+
+    assert_eq!(bus.cost(frame.memory()), Cost { writes: 1, bytes: 12_482, in_place: 1 });
+    assert!(bus.writes()[0].is(frame.memory()));
     assert_shows(Panel::SHARP_400X240, &receive(&bus.bytes()), &picture());
 }
