@@ -73,8 +73,10 @@ pub mod raster;
 
 pub use colour::Light;
 pub use display::{
+    blit::{Blit, Part, RasterOp},
     dirty::{Changed, Dirty, DirtyWindow, Grain, Tracked},
     dither::Dithered,
+    font::GlyphSheet,
     frame::{Frame, Spacing, TooSmall},
     layout::{Columns, Inverted, LsbFirst, MsbFirst, Pages, Planes, Rows, Words},
     level::Levels,

@@ -2,15 +2,15 @@
 
 use core::{convert::Infallible, marker::PhantomData};
 
-use aquatint::{Code, Frame, Window, display::layout::Layout};
+use aquatint::{Frame, Window};
 use embedded_graphics::{
     Pixel,
     draw_target::DrawTarget,
     geometry::{OriginDimensions, Size},
-    pixelcolor::BinaryColor,
 };
 
 use super::{
+    ours::{Ink, Ours, Packed, Sheet},
     peers::{Shapes, Surface},
     scene::one_frame,
 };
@@ -20,14 +20,15 @@ use super::{
 pub struct Bands<'m, C, L> {
     memory: &'m mut [u8],
     size: Size,
-    packing: PhantomData<(C, L)>,
+    sheet: &'m Sheet<L>,
+    color: PhantomData<C>,
 }
 
-impl<'m, C: Code + From<BinaryColor>, L: Layout<C>> Bands<'m, C, L> {
+impl<'m, C: Ink, L: Packed<C>> Bands<'m, C, L> {
     /// `height` is a multiple of eight lines.
-    pub fn new(memory: &'m mut [u8], width: u32, height: u32) -> Self {
+    pub fn new(memory: &'m mut [u8], (width, height): (u32, u32), sheet: &'m Sheet<L>) -> Self {
         let memory = &mut memory[..Frame::<C, L, ()>::bytes_needed(width, height)];
-        Self { memory, size: Size::new(width, height), packing: PhantomData }
+        Self { memory, size: Size::new(width, height), sheet, color: PhantomData }
     }
 
     /// Draws the picture of `one_frame`.
@@ -37,7 +38,7 @@ impl<'m, C: Code + From<BinaryColor>, L: Layout<C>> Bands<'m, C, L> {
         for band in self.memory.chunks_mut(self.memory.len() / 8) {
             // Too small a memory would show in the picture.
             let Ok(mut frame) = Frame::<C, L, _>::new(band, width, height / 8) else { return Ok(()) };
-            one_frame(&mut Window::band(&mut frame, top))?;
+            one_frame(&mut Ours { target: Window::band(&mut frame, top), sheet: self.sheet })?;
             top += (height / 8).cast_signed();
         }
         Ok(())
@@ -51,7 +52,7 @@ impl<C, L> OriginDimensions for Bands<'_, C, L> {
 }
 
 /// As a whole: for clearing.
-impl<C: Code, L: Layout<C>> DrawTarget for Bands<'_, C, L> {
+impl<C: Ink, L: Packed<C>> DrawTarget for Bands<'_, C, L> {
     type Color = C;
     type Error = Infallible;
 
@@ -63,9 +64,9 @@ impl<C: Code, L: Layout<C>> DrawTarget for Bands<'_, C, L> {
     }
 }
 
-impl<C: Code + From<BinaryColor>, L: Layout<C>> Shapes for Bands<'_, C, L> {}
+impl<C: Ink, L: Packed<C>> Shapes for Bands<'_, C, L> {}
 
-impl<C: Code + From<BinaryColor>, L: Layout<C>> Surface for Bands<'_, C, L> {
+impl<C: Ink, L: Packed<C>> Surface for Bands<'_, C, L> {
     fn picture(&self, look: impl FnOnce(&[u8])) {
         look(self.memory);
     }

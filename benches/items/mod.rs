@@ -6,11 +6,12 @@
 //! add another kind of scene, or other peers, write a function like [`panel`] and call it in [`all`].
 
 mod bands;
+mod ours;
 mod peers;
 mod pictures;
 mod scene;
 
-use aquatint::{Code, Frame, Pages, Rows, display::layout::Layout};
+use aquatint::{Frame, Pages, Rows};
 use embedded_graphics::{
     draw_target::DrawTarget,
     framebuffer::{Framebuffer, buffer_size},
@@ -21,6 +22,7 @@ use embedded_graphics::{
 };
 
 use bands::Bands;
+use ours::{Ink, Ours, Packed};
 pub use peers::{Shapes, Surface};
 
 /// The longest picture: 400 × 240 at one bit.
@@ -73,6 +75,17 @@ pub fn all(memory: &mut [u8; MEMORY], visitor: &mut impl Visitor) {
     peer("h400", EMBEDDED_GRAPHICS, OneBit::<400, 240, { buffer_size::<BinaryColor>(400, 240) }>::new, visitor);
     panel::<Gray4, Rows>("g256", (256, 64), memory, visitor);
     peer("g256", EMBEDDED_GRAPHICS, FourBits::<256, 64, { buffer_size::<Gray4>(256, 64) }>::new, visitor);
+    of_bytes(memory, visitor);
+}
+
+/// Shows what is done to bytes, not to a surface.
+#[inline(never)]
+fn of_bytes(memory: &mut [u8; MEMORY], visitor: &mut impl Visitor) {
+    let (Some(sheet), Ok(target)) = (ours::load(), Frame::<BinaryColor, Rows, _>::new(&mut memory[..], 128, 64)) else {
+        return;
+    };
+    let mut frame = Ours { target, sheet: &sheet };
+    visitor.visit(Label { item: "transpose", panel: "h128", who: OURS }, &mut frame, scene::transpose);
 }
 
 type OneBit<const W: usize, const H: usize, const N: usize> = Framebuffer<BinaryColor, RawU1, BigEndian, W, H, N>;
@@ -82,15 +95,18 @@ type FourBits<const W: usize, const H: usize, const N: usize> = Framebuffer<Gray
 #[inline(never)]
 fn panel<C, L>(name: &'static str, (width, height): (u32, u32), memory: &mut [u8; MEMORY], visitor: &mut impl Visitor)
 where
-    C: Code + From<BinaryColor>,
-    L: Layout<C>,
+    C: Ink,
+    L: Packed<C>,
 {
     // Too small a memory would show as missing items in the results.
-    let Ok(mut frame) = Frame::<C, L, _>::new(&mut memory[..], width, height) else { return };
+    let (Some(sheet), Ok(target)) = (ours::load(), Frame::<C, L, _>::new(&mut memory[..], width, height)) else {
+        return;
+    };
+    let mut frame = Ours { target, sheet: &sheet };
     for &(item, draw) in scene::both().iter().chain(scene::alone()) {
         visitor.visit(Label { item, panel: name, who: OURS }, &mut frame, draw);
     }
-    let mut bands = Bands::<C, L>::new(memory, width, height);
+    let mut bands = Bands::<C, L>::new(memory, (width, height), &sheet);
     visitor.visit(Label { item: "eight_bands", panel: name, who: OURS }, &mut bands, Bands::draw);
 }
 

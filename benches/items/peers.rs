@@ -1,20 +1,24 @@
-//! What the items are drawn on, and how aquatint and its peers draw a line and a triangle there.
+//! What the items are drawn on, and how the peers of aquatint draw there.
 
 use core::{convert::Infallible, fmt::Debug};
 
-use aquatint::{Code, FillStyle, Frame, Line, Point2, Polygon, StrokeStyle, Window, display::layout::Layout};
 use display_interface::{DataFormat, DisplayError, WriteOnlyDataCommand};
 use embedded_graphics::{
     Drawable,
-    draw_target::DrawTarget,
+    draw_target::{DrawTarget, DrawTargetExt},
     framebuffer::Framebuffer,
     geometry::Point,
+    image::{Image, ImageRaw},
+    mono_font::{MonoTextStyle, ascii::FONT_6X10},
     pixelcolor::{BinaryColor, PixelColor},
     primitives::{self, Primitive, PrimitiveStyle},
+    text::Text,
 };
 use ssd1306::{Ssd1306, mode::BufferedGraphicsMode, prelude::*};
 
-/// The shapes that not everybody draws by embedded-graphics; these are embedded-graphics' own.
+use super::pictures::{BITS_SIZE, bits};
+
+/// What not everybody draws by embedded-graphics; these are embedded-graphics' own ways.
 pub trait Shapes: DrawTarget<Color: From<BinaryColor>, Error: Debug> + Sized {
     /// A line one pixel wide.
     fn line(&mut self, [start, end]: [Point; 2], color: Self::Color) -> Result<(), Self::Error> {
@@ -25,6 +29,27 @@ pub trait Shapes: DrawTarget<Color: From<BinaryColor>, Error: Debug> + Sized {
     fn triangle(&mut self, [a, b, c]: [Point; 3], color: Self::Color) -> Result<(), Self::Error> {
         primitives::Triangle::new(a, b, c).into_styled(PrimitiveStyle::with_fill(color)).draw(self)
     }
+
+    /// Text in `FONT_6X10`.
+    fn text(&mut self, text: &str, at: Point, color: Self::Color) -> Result<(), Self::Error> {
+        write_text(self, text, at, color)
+    }
+
+    /// The picture of [`bits`].
+    fn image(&mut self, at: Point) -> Result<(), Self::Error> {
+        draw_image(self, at)
+    }
+}
+
+/// Text as embedded-graphics writes it.
+pub fn write_text<D: DrawTarget>(target: &mut D, text: &str, at: Point, color: D::Color) -> Result<(), D::Error> {
+    Text::new(text, at, MonoTextStyle::new(&FONT_6X10, color)).draw(target).map(drop)
+}
+
+/// The bits as embedded-graphics draws them.
+pub fn draw_image<D: DrawTarget<Color: From<BinaryColor>>>(target: &mut D, at: Point) -> Result<(), D::Error> {
+    let image = ImageRaw::<BinaryColor>::new(bits(), BITS_SIZE.width);
+    Image::new(&image, at).draw(&mut target.color_converted())
 }
 
 /// A whole picture in memory.
@@ -32,44 +57,6 @@ pub trait Surface: Shapes {
     /// Shows the packed picture to `look`, in the same order for all who draw on the same panel.
     #[cfg_attr(target_os = "none", expect(dead_code, reason = "pictures are compared on the desk"))]
     fn picture(&self, look: impl FnOnce(&[u8]));
-}
-
-impl<C: Code + From<BinaryColor>, L: Layout<C>> Shapes for Frame<C, L, &mut [u8]> {
-    fn line(&mut self, ends: [Point; 2], color: C) -> Result<(), Infallible> {
-        stroke(ends, color, self)
-    }
-
-    fn triangle(&mut self, corners: [Point; 3], color: C) -> Result<(), Infallible> {
-        fill(&corners.map(|Point { x, y }| Point2::corner(x, y)), color, self)
-    }
-}
-
-impl<T: Shapes> Shapes for Window<'_, T> {
-    fn line(&mut self, ends: [Point; 2], color: T::Color) -> Result<(), T::Error> {
-        stroke(ends, color, self)
-    }
-
-    fn triangle(&mut self, corners: [Point; 3], color: T::Color) -> Result<(), T::Error> {
-        fill(&corners.map(|Point { x, y }| Point2::corner(x, y)), color, self)
-    }
-}
-
-impl<C: Code + From<BinaryColor>, L: Layout<C>> Surface for Frame<C, L, &mut [u8]> {
-    fn picture(&self, look: impl FnOnce(&[u8])) {
-        look(self.bytes());
-    }
-}
-
-fn stroke<D: DrawTarget>([start, end]: [Point; 2], color: D::Color, target: &mut D) -> Result<(), D::Error> {
-    Line::new(start, end).into_styled(StrokeStyle::new(color)).draw(target)
-}
-
-/// Fills one contour.
-pub fn fill<D: DrawTarget>(corners: &[Point2], color: D::Color, target: &mut D) -> Result<(), D::Error> {
-    let contours = [corners];
-    // Corners out of range would show as a picture that differs from the peer's, or is empty.
-    let Ok(polygon) = Polygon::new(&contours) else { return Ok(()) };
-    polygon.into_styled(FillStyle::new(color)).draw(target)
 }
 
 impl<C, R, O, const W: usize, const H: usize, const N: usize> Shapes for Framebuffer<C, R, O, W, H, N>

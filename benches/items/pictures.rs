@@ -1,10 +1,13 @@
 //! The pictures that are drawn, made while compiling.
 
-use embedded_graphics::{image::ImageRaw, pixelcolor::BinaryColor};
+use embedded_graphics::geometry::Size;
 
-/// 64 × 64 pixels of one bit, about half of them on, without a pattern that some code could like.
-pub fn bits() -> ImageRaw<'static, BinaryColor> {
-    ImageRaw::new(core::hint::black_box(&BITS), 64)
+/// Of the bits.
+pub const BITS_SIZE: Size = Size::new(64, 64);
+
+/// Rows of pixels of one bit, about half of them on, without a pattern that some code could like.
+pub fn bits() -> &'static [u8] {
+    core::hint::black_box(&BITS)
 }
 
 /// Width of the photograph.

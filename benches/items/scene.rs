@@ -2,22 +2,22 @@
 
 use core::{convert::Infallible, hint::black_box};
 
-use aquatint::{Code, Dithered, Frame, Levels, Light, Point2, Solid, Target, display::layout::Layout};
+use aquatint::{
+    Code, Dithered, Frame, Levels, Light, Point2, Solid, Target,
+    display::{layout::Layout, transpose::Transpose},
+};
 use embedded_graphics::{
-    Drawable,
-    draw_target::DrawTargetExt,
+    Drawable, Pixel,
     geometry::{Point, Size},
-    image::Image,
-    mono_font::{MonoTextStyle, ascii::FONT_6X10},
     pixelcolor::{BinaryColor, PixelColor},
     primitives::{Primitive, PrimitiveStyle, Rectangle},
-    text::Text,
 };
 
 use super::{
     Item,
-    peers::{Shapes, fill},
-    pictures::{PHOTO_WIDTH, bits, photo},
+    ours::{Ink, Ours, Packed, fill},
+    peers::{Shapes, draw_image, write_text},
+    pictures::{PHOTO_WIDTH, photo},
 };
 
 /// What the peers draw too.
@@ -38,15 +38,18 @@ pub fn both<'s, S: Shapes>() -> &'s [Item<S>] {
 }
 
 /// What only aquatint draws.
-pub fn alone<'m, C: Code + From<BinaryColor>, L: Layout<C>>() -> &'m [Item<Ours<'m, C, L>>] {
+pub fn alone<'m, C: Ink, L: Packed<C>>() -> &'m [Item<OnFrame<'m, C, L>>] {
     &[
         ("star_fill", star_fill), //
         ("dither_photo", dither_photo),
         ("grey_rect", grey_rect),
+        // As embedded-graphics does it, on our frames.
+        ("text_eg", |s| write_text(&mut s.target, black_box(TEXT), black_box(Point::new(3, 30)), on())),
+        ("blit_eg", |s| draw_image(&mut s.target, black_box(Point::new(5, 0)))),
     ]
 }
 
-type Ours<'m, C, L> = Frame<C, L, &'m mut [u8]>;
+type OnFrame<'m, C, L> = Ours<'m, Frame<C, L, &'m mut [u8]>, L>;
 
 fn on<C: PixelColor + From<BinaryColor>>() -> C {
     black_box(BinaryColor::On).into()
@@ -70,13 +73,14 @@ fn tri_fill<S: Shapes>(surface: &mut S) -> Result<(), S::Error> {
 }
 
 /// Twenty characters.
+const TEXT: &str = "Aquatint draws fonts";
+
 fn text<S: Shapes>(surface: &mut S) -> Result<(), S::Error> {
-    let style = MonoTextStyle::new(&FONT_6X10, on());
-    Text::new(black_box("Aquatint draws fonts"), black_box(Point::new(3, 30)), style).draw(surface).map(drop)
+    surface.text(black_box(TEXT), black_box(Point::new(3, 30)), on())
 }
 
 fn blit<S: Shapes>(surface: &mut S) -> Result<(), S::Error> {
-    Image::new(&bits(), black_box(Point::new(5, 0))).draw(&mut surface.color_converted())
+    surface.image(black_box(Point::new(5, 0)))
 }
 
 /// A whole picture, for comparison with the same one drawn band by band.
@@ -103,8 +107,8 @@ const STAR: [(i32, i32); 12] = [
     (75, 24),
 ];
 
-fn star_fill<C: Code + From<BinaryColor>, L: Layout<C>>(frame: &mut Ours<C, L>) -> Result<(), Infallible> {
-    fill(&black_box(STAR.map(|(x, y)| Point2::corner(x, y))), on(), frame)
+fn star_fill<C: Ink, L: Layout<C>>(surface: &mut OnFrame<C, L>) -> Result<(), Infallible> {
+    fill(&black_box(STAR.map(|(x, y)| Point2::corner(x, y))), on(), &mut surface.target)
 }
 
 /// The levels of a panel of one or four bits.
@@ -112,8 +116,8 @@ fn levels<C: Code>() -> Levels<'static> {
     black_box(if C::BITS == 1 { Levels::ONE_BIT } else { Levels::LINEAR_16 })
 }
 
-fn dither_photo<C: Code, L: Layout<C>>(frame: &mut Ours<C, L>) -> Result<(), Infallible> {
-    let mut dithered = Dithered::new(frame, levels::<C>());
+fn dither_photo<C: Code, L: Layout<C>>(surface: &mut OnFrame<C, L>) -> Result<(), Infallible> {
+    let mut dithered = Dithered::new(&mut surface.target, levels::<C>());
     let end = black_box(128);
     for (row, codes) in (0..).zip(photo().chunks_exact(PHOTO_WIDTH)) {
         dithered.write_run(row, 0..end, codes.iter().map(|&code| Some(Light::from_srgb(code))))?;
@@ -122,11 +126,21 @@ fn dither_photo<C: Code, L: Layout<C>>(frame: &mut Ours<C, L>) -> Result<(), Inf
 }
 
 /// The rectangle of `rect_fill`, in half of the light.
-fn grey_rect<C: Code, L: Layout<C>>(frame: &mut Ours<C, L>) -> Result<(), Infallible> {
-    let mut dithered = Dithered::new(frame, levels::<C>());
+fn grey_rect<C: Code, L: Layout<C>>(surface: &mut OnFrame<C, L>) -> Result<(), Infallible> {
+    let mut dithered = Dithered::new(&mut surface.target, levels::<C>());
     let ink = Solid(black_box(Light(32_768)));
     for row in black_box(5..55) {
         dithered.fill_run(row, black_box(3..103), &ink)?;
     }
     Ok(())
+}
+
+/// 128 × 64 pixels from rows to pages and back.
+pub fn transpose<S: Shapes>(surface: &mut S) -> Result<(), S::Error> {
+    let (source, mut pages, mut rows) = (photo(), [0; 1024], [0; 1024]);
+    let transpose = Transpose::new(black_box(128), black_box(64));
+    let forth = transpose.rows_to_pages(source, &mut pages);
+    let back = transpose.pages_to_rows(black_box(&pages), &mut rows);
+    let is_done = forth.and(back).is_ok() && black_box(&rows).last() == source.get(1023);
+    surface.draw_iter([Pixel(Point::zero(), BinaryColor::from(is_done).into())])
 }

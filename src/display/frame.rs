@@ -119,6 +119,21 @@ impl<C: PixelColor, L: Layout<C>, const N: usize> Frame<C, L, [u8; N]> {
     }
 }
 
+impl<'a, C: PixelColor, L: Layout<C>> Frame<C, L, &'a [u8]> {
+    /// A picture in flash, to be [blitted](crate::display::blit); may be a constant or a static.
+    ///
+    /// # Errors
+    /// [`TooSmall`].
+    pub const fn with_slice(bytes: &'a [u8], width: u32, height: u32) -> Result<Self, TooSmall> {
+        let spacing = Frame::<C, L, ()>::packed(width, height);
+        let needed = Frame::<C, L, ()>::end(width, height, spacing);
+        if bytes.len() < needed {
+            return Err(TooSmall { needed });
+        }
+        Ok(Self { bytes, width, height, spacing, end: needed, packing: PhantomData })
+    }
+}
+
 impl<C: PixelColor, L: Layout<C>, B: AsRef<[u8]>> Frame<C, L, B> {
     /// A frame in any memory: a `&mut [u8]`, an array, a vector on the desk.
     ///

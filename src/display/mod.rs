@@ -13,6 +13,7 @@
 pub mod blit;
 pub mod dirty;
 pub mod dither;
+pub mod font;
 pub mod frame;
 pub mod layout;
 pub mod level;

@@ -171,14 +171,13 @@ impl Transpose {
 }
 
 /// Eight bytes from byte `first` on, and from `stride` bytes behind, and so on, eight times; what is
-/// behind the end is 0.
+/// behind the end, or with numbers that wrapped before the beginning, is 0.
 #[inline]
 pub(super) fn words(bytes: &[u8], stride: usize, first: usize) -> [u64; 8] {
     let (mut at, mut words) = (first, [0; 8]);
     for word in &mut words {
-        let Some(rest) = bytes.get(at..) else { break };
-        *word = load(rest);
-        at += stride;
+        *word = bytes.get(at..).map_or(0, load);
+        at = at.wrapping_add(stride);
     }
     words
 }

@@ -21,10 +21,15 @@ use embedded_graphics::{
     draw_target::DrawTarget,
     geometry::{Dimensions, Point},
     image::GetPixel,
+    pixelcolor::BinaryColor,
     primitives::Rectangle,
 };
 
 use crate::{
+    display::{
+        blit::{Blit, Part, RasterOp, clip},
+        layout::Layout,
+    },
     num::index,
     space::Rect,
     target::{Four, Ink, Target, VisibleColors, phase},
@@ -60,6 +65,8 @@ impl<'t, T: Dimensions> Window<'t, T> {
     /// The target as the band of a picture that begins with row `top`.
     pub fn band(target: &'t mut T, top: i32) -> Self {
         let rows = Rect::from(target.bounding_box());
+        // The offset has no number for 2³¹.
+        let top = top.max(-i32::MAX);
         let seen = Rect { top: rows.top.saturating_add(top), bottom: rows.bottom.saturating_add(top), ..rows };
         Self { target, offset: Point::new(0, top.saturating_neg()), seen }
     }
@@ -164,5 +171,32 @@ impl<T: GetPixel> GetPixel for Window<'_, T> {
 
     fn pixel(&self, point: Point) -> Option<T::Color> {
         if self.seen.contains(point) { self.target.pixel(point + self.offset) } else { None }
+    }
+}
+
+impl<T: Blit> Blit for Window<'_, T> {
+    type Color = T::Color;
+
+    fn blit<'s, L>(&mut self, source: impl Into<Part<'s, T::Color, L>>, at: Point, op: RasterOp)
+    where
+        L: Layout<T::Color>,
+    {
+        let part = source.into();
+        if let Some((area, at)) = clip(part.area(), at, self.seen) {
+            self.target.blit(part.part(area), at + self.offset, op);
+        }
+    }
+
+    fn paint_all<L>(
+        &mut self,
+        shape: &Part<BinaryColor, L>,
+        places: impl Iterator<Item = (Rect, Point)>,
+        color: T::Color,
+    ) where
+        L: Layout<BinaryColor>,
+    {
+        let (seen, offset) = (self.seen, self.offset);
+        let seen = places.filter_map(|(area, at)| clip(area, at, seen));
+        self.target.paint_all(shape, seen.map(|(area, at)| (area, at + offset)), color);
     }
 }

@@ -1,126 +1,181 @@
-//! One page of a frame: blocks of eight columns, and how they are merged.
+//! Pages onto pages: words of eight rows, each joined from two of the source.
 
-use core::{iter::zip, mem::take, ops::Range};
+use core::ops::Range;
 
-use super::RasterOp;
-use crate::{
-    display::transpose::{load, load_blocks, store, to_blocks, words},
-    num::low_index,
+use super::{
+    op::{Op, RasterOp},
+    part::{Job, Pixels, Source},
+    strip::{WORD, change, read, repeated},
 };
+use crate::{display::layout::Memory, num::low_index};
 
-/// The part of a picture that falls on one page of the target.
+/// Where pages of the source lie relative to those of the target.
+///
+/// ```text
+///   source        target
+///   ┌──────┐
+///   │ upper│      ┌──────┐
+///   ├──────┤  ──▶ │ page │  the last rows of one page and the first rows of the next
+///   │ lower│      └──────┘
+///   └──────┘
+/// ```
 #[derive(Clone, Debug)]
-pub(super) struct Page {
-    pub(super) index: usize,
-    pub(super) columns: Range<usize>,
-    /// The first pixel in the source.
-    pub(super) column: usize,
-    pub(super) row: usize,
-    /// How many rows, 1 to 8, and how far below the upper edge of the page.
-    pub(super) rows: usize,
-    pub(super) below: u32,
+pub(super) struct Pages {
+    /// Those of the target.
+    pub(super) range: Range<usize>,
+    /// What is added to the number of a page of the target for the number of the lower one; it may wrap.
+    lower: usize,
+    /// How far the upper and the lower one are turned, and which bits are of the former.
+    turns: (u32, u32),
+    of_upper: usize,
+    /// The bits of the first and of the last page that are meant.
+    head: usize,
+    tail: usize,
 }
 
-impl Page {
-    /// The bytes of the target.
-    pub(super) fn bytes<'t>(&self, target: &'t mut [u8], stride: usize) -> &'t mut [u8] {
-        let start = self.index * stride;
-        target.get_mut(start + self.columns.start..start + self.columns.end).unwrap_or_default()
+impl Pages {
+    #[inline]
+    pub(super) const fn new(job: &Job, msb_first: bool) -> Self {
+        let (top, bottom) = (job.to.1, job.to.1 + job.height);
+        // The row that falls on the upper edge of the first page, and eight, since it may be above the source.
+        let from = job.from.1 + 8 - top % 8;
+        let above = low_index(from % 8);
+        let (before, behind) = (low_index(top % 8), low_index(bottom.wrapping_neg() % 8));
+        let (turns, bits) = if msb_first {
+            ((0_u32.wrapping_sub(above), 8 - above), [0xFF_u8 << above, 0xFF >> before, 0xFF << behind])
+        } else {
+            ((above, above.wrapping_sub(8)), [0xFF_u8 >> above, 0xFF << before, 0xFF >> behind])
+        };
+        let [of_upper, head, tail] = [repeated(bits[0]), repeated(bits[1]), repeated(bits[2])];
+        let lower = (from / 8).wrapping_sub(top / 8);
+        Self { range: top / 8..bottom.div_ceil(8), lower, turns, of_upper, head, tail }
     }
 
-    /// The rows that are meant, a bit for each.
-    pub(super) fn inside(&self) -> u8 {
-        0xFF >> (8 - low_index(self.rows)) << self.below
+    /// The first byte of the page whose first rows fall on the last ones of a page of the target. It may be
+    /// one that is not there, for rows that are not meant.
+    #[inline]
+    const fn lower(&self, page: usize, stride: usize) -> usize {
+        page.wrapping_add(self.lower).wrapping_mul(stride)
     }
 
-    /// Merges pixels of rows, where those of the mask are 1.
-    pub(super) fn merge_rows(
-        &self,
-        target: &mut [u8],
-        (source, mask): (&[u8], Option<&[u8]>),
-        stride: usize,
-        op: RasterOp,
-    ) {
-        // So many blocks are whole when a word begins with the first pixel.
-        let hidden = low_index(self.column % 8);
-        let blocks = if hidden == 0 { 8 } else { 7 };
-        let mut first = self.row * stride + self.column / 8;
-        let inside = lanes(self.inside());
-        for target in target.chunks_mut(8 * blocks) {
-            let tile = |bytes| {
-                let mut words = words(bytes, stride, first);
-                shift(&mut words, hidden);
-                to_blocks(&mut words);
-                shift(&mut words, self.below);
-                words
-            };
-            let mut masks = mask.map_or([u64::MAX; 8], tile);
-            for mask in &mut masks {
-                *mask &= inside;
-            }
-            merge(target, &tile(source), &masks, op);
-            first += blocks;
-        }
+    /// A word of the target, from those of the two pages.
+    #[inline]
+    const fn join(&self, upper: usize, lower: usize) -> usize {
+        let (upper, lower) = (upper.rotate_right(self.turns.0), lower.rotate_right(self.turns.1));
+        lower ^ ((lower ^ upper) & self.of_upper)
     }
 
-    /// Merges pixels of pages.
-    pub(super) fn merge_pages(&self, target: &mut [u8], source: &[u8], stride: usize, op: RasterOp) {
-        let width = target.len();
-        let line = |page: usize| source.get(page * stride + self.column..)?.get(..width);
-        let upper = line(self.row / 8).unwrap_or_default();
-        // Without a lower page, none of its rows is meant.
-        let lower = line(self.row / 8 + 1).unwrap_or(upper);
-        let above = self.row % 8;
-        let (of_upper, inside) = (lanes(0xFF >> above), [lanes(self.inside()); 8]);
-        let mut first = 0;
-        for target in target.chunks_mut(64) {
-            let from = |line: &[u8]| load_blocks(line.get(first..).unwrap_or_default());
-            let mut blocks = from(upper);
-            for (block, lower) in zip(&mut blocks, from(lower)) {
-                *block = (((*block >> above) & of_upper) | ((lower << (8 - above)) & !of_upper)) << self.below;
-            }
-            merge(target, &blocks, &inside, op);
-            first += 64;
-        }
+    /// What falls on a page of the target.
+    #[inline]
+    pub(super) fn word(&self, bytes: &[u8], stride: usize, (page, column): (usize, usize)) -> usize {
+        let lower = self.lower(page, stride).wrapping_add(column);
+        self.join(read(bytes, lower.wrapping_sub(stride)), read(bytes, lower))
+    }
+
+    /// The bits of a page that are meant.
+    #[inline]
+    pub(super) const fn inside(&self, page: usize) -> usize {
+        let head = if page == self.range.start { self.head } else { usize::MAX };
+        if page + 1 == self.range.end { head & self.tail } else { head }
     }
 }
 
-/// Merges up to eight blocks, the last of them first, each with its mask.
-fn merge(target: &mut [u8], blocks: &[u64; 8], masks: &[u64; 8], op: RasterOp) {
-    match op {
-        RasterOp::Copy => change(target, blocks, masks, |old, new| RasterOp::Copy.change(old, new)),
-        RasterOp::Or => change(target, blocks, masks, |old, new| RasterOp::Or.change(old, new)),
-        RasterOp::AndNot => change(target, blocks, masks, |old, new| RasterOp::AndNot.change(old, new)),
-        RasterOp::Xor => change(target, blocks, masks, |old, new| RasterOp::Xor.change(old, new)),
+/// Columns whose bytes of a page are merged at once.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Columns {
+    /// The first of them in the target and in the source.
+    pub(super) to: usize,
+    pub(super) from: usize,
+    /// Those that are meant.
+    pub(super) mask: usize,
+}
+
+impl Columns {
+    /// Those of a rectangle, from the left or from the right.
+    #[inline]
+    pub(super) fn of(job: &Job) -> impl DoubleEndedIterator<Item = Self> {
+        let Job { from: (from, _), to: (to, _), width, .. } = *job;
+        (0..width.div_ceil(WORD)).map(move |word| {
+            let done = word * WORD;
+            let behind = WORD.saturating_sub(width - done);
+            Self { to: to + done, from: from + done, mask: (usize::MAX >> (8 * behind)).to_le() }
+        })
     }
 }
 
-/// The same for one operation, which has a loop of its own.
+/// Merges rectangles of a picture in pages of the same order.
 #[inline]
-fn change(target: &mut [u8], blocks: &[u64; 8], masks: &[u64; 8], change: impl Fn(u64, u64) -> u64) {
-    let merged = |old, new, mask| old ^ (change(old, new) & mask);
-    let mut rest = target;
-    for (new, mask) in zip(blocks, masks).rev() {
-        if rest.len() < 8 {
-            let old = load(rest);
-            return store(rest, merged(old, *new, *mask));
-        }
-        let Some((bytes, more)) = take(&mut rest).split_first_chunk_mut() else { return };
-        *bytes = merged(u64::from_be_bytes(*bytes), *new, *mask).to_be_bytes();
-        rest = more;
-    }
-}
-
-/// Shifts to the left, which most often is by nothing.
-fn shift(words: &mut [u64; 8], by: u32) {
-    if by > 0 {
-        for word in words {
-            *word <<= by;
+pub(super) fn merge(
+    target: Memory<&mut [u8]>,
+    (source, pixels): (&Source, Pixels),
+    (jobs, msb_first): (impl Iterator<Item = Job>, bool),
+    op: Op<u8>,
+) {
+    let Memory { bytes, stride } = target;
+    match op.plain() {
+        // Text, most often.
+        Some(RasterOp::Or) if source.mask.is_none() => jobs.for_each(|job| {
+            merge_pages((&mut *bytes, stride), source.memory, (&job, msb_first), |old, new, mask| old | (new & mask));
+        }),
+        _ => {
+            let op = op.map(repeated);
+            jobs.for_each(|job| merge_some((&mut *bytes, stride), source, (&job, msb_first), (op, pixels.hole)));
         }
     }
 }
 
-/// Eight bytes alike.
-const fn lanes(byte: u8) -> u64 {
-    u64::from_ne_bytes([byte; 8])
+/// Merges a rectangle.
+#[inline]
+fn merge_pages(
+    (bytes, stride): (&mut [u8], usize),
+    source: Memory<&[u8]>,
+    (job, msb_first): (&Job, bool),
+    merged: impl Fn(usize, usize, usize) -> usize,
+) {
+    let pages = Pages::new(job, msb_first);
+    for columns in Columns::of(job) {
+        merge_columns((&mut *bytes, stride), source, (&pages, columns), &merged);
+    }
+}
+
+/// Merges what is one below the other.
+#[inline(never)]
+fn merge_columns(
+    (bytes, stride): (&mut [u8], usize),
+    source: Memory<&[u8]>,
+    (pages, columns): (&Pages, Columns),
+    merged: impl Fn(usize, usize, usize) -> usize,
+) {
+    let mut from = pages.lower(pages.range.start, source.stride).wrapping_add(columns.from);
+    let mut to = pages.range.start * stride + columns.to;
+    let mut upper = read(source.bytes, from.wrapping_sub(source.stride));
+    for page in pages.range.clone() {
+        let lower = read(source.bytes, from);
+        let (new, mask) = (pages.join(upper, lower), pages.inside(page) & columns.mask);
+        change(bytes, to, |old| merged(old, new, mask));
+        (upper, from, to) = (lower, from.wrapping_add(source.stride), to + stride);
+    }
+}
+
+/// The same by any operation, and where a mask says which pixels.
+#[inline(never)]
+fn merge_some(
+    (bytes, stride): (&mut [u8], usize),
+    source: &Source,
+    (job, msb_first): (&Job, bool),
+    (op, hole): (Op<usize>, u8),
+) {
+    let merged = |old, new, mask| op.merged(old, new, mask);
+    let Some(mask) = source.mask else {
+        return merge_pages((bytes, stride), source.memory, (job, msb_first), merged);
+    };
+    let pages = Pages::new(job, msb_first);
+    for columns in Columns::of(job) {
+        for page in pages.range.clone() {
+            let word = |memory: Memory<&[u8]>| pages.word(memory.bytes, memory.stride, (page, columns.from));
+            let shown = (word(mask) ^ repeated(hole)) & pages.inside(page) & columns.mask;
+            let new = word(source.memory);
+            change(bytes, page * stride + columns.to, |old| merged(old, new, shown));
+        }
+    }
 }

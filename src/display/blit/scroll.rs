@@ -1,84 +1,109 @@
-//! A whole picture moved within its own memory.
+//! A picture moved within its own memory.
 
 use core::iter::from_fn;
 
-use embedded_graphics::{geometry::Point, pixelcolor::raw::RawU1};
-
-use super::{Geometry, Part, pages::Page, rows::Strip};
-use crate::{
-    display::frame::TooSmall,
-    num::{index, low_u8},
-    space::Rect,
-    target::Code,
+use embedded_graphics::{
+    Pixel,
+    draw_target::DrawTarget,
+    geometry::{OriginDimensions, Point},
+    image::GetPixel,
+    pixelcolor::PixelColor,
 };
 
-/// Moves a picture in rows by whole pixels; what comes in at the other side is `color`.
-///
-/// ```
-/// use aquatint::display::blit::{Geometry, scroll_rows};
-/// use embedded_graphics::{pixelcolor::BinaryColor, prelude::Point};
-///
-/// let mut rows = [0b1000_0001, 0b1100_0000];
-/// scroll_rows(&mut rows, Geometry::rows::<BinaryColor>(8, 2), Point::new(1, -1), BinaryColor::On)?;
-/// assert_eq!(rows, [0b1110_0000, 0b1111_1111]);
-/// # Ok::<(), aquatint::TooSmall>(())
-/// ```
-///
-/// # Errors
-/// [`TooSmall`], and nothing is moved.
-pub fn scroll_rows<C: Code>(bytes: &mut [u8], geometry: Geometry, by: Point, color: C) -> Result<(), TooSmall> {
-    geometry.check_rows(bytes.len(), C::BITS)?;
-    let mut strips = Lines { bytes, stride: geometry.stride.max(1) };
-    let kept = Part::new(Rect::of_size(geometry.size), geometry.size, by);
-    if let Some(kept) = &kept {
-        for strip in ordered(kept.run(C::BITS).strips((strips.stride, strips.stride)), by.x > 0) {
-            strips.shift(strip, kept, by.y > 0);
+use super::{
+    op::Coded,
+    packing::Way,
+    pages::{Columns, Pages},
+    part::{Job, clip},
+    strip::{Run, change},
+};
+use crate::{
+    display::{
+        frame::Frame,
+        layout::{Layout, Memory},
+    },
+    num::{low_index, size_i32},
+    space::Rect,
+};
+
+impl<C, L, B> Frame<C, L, B>
+where
+    C: Coded,
+    L: Layout<C>,
+    B: AsRef<[u8]> + AsMut<[u8]>,
+{
+    /// Copies an area of the frame to another place in it, where its top left corner is `to`. They may
+    /// overlap. What of the area is outside of the frame is cut off.
+    ///
+    /// ```
+    /// use aquatint::{Frame, Rect, Rows};
+    /// use embedded_graphics::{pixelcolor::BinaryColor, prelude::Point};
+    ///
+    /// let mut frame = Frame::<BinaryColor, Rows, _>::with_array([0b1100_0000, 0], 8, 2)?;
+    /// frame.copy_within(Rect::new(0, 0, 3, 1), Point::new(1, 1));
+    /// assert_eq!(frame.bytes(), [0b1100_0000, 0b0110_0000]);
+    /// # Ok::<(), aquatint::TooSmall>(())
+    /// ```
+    pub fn copy_within(&mut self, area: Rect, to: Point) {
+        let bounds = Rect::of_size(self.size());
+        let Some((area, to)) = clip(area.intersection(bounds), to, bounds) else { return };
+        let (job, from) = (Job::new(area, to), Point::new(area.left, area.top));
+        let (right, down) = (to.x > from.x, to.y > from.y);
+        let memory = self.memory_mut();
+        match const { Way::new(L::FACTS, L::FACTS) } {
+            Way::Rows { msb_first: true } => move_lines::<true>(memory, &job, C::BITS, (right, down)),
+            Way::Rows { msb_first: false } => move_lines::<false>(memory, &job, C::BITS, (right, down)),
+            Way::Columns { msb_first: true } => move_lines::<true>(memory, &job.turned(), C::BITS, (down, right)),
+            Way::Columns { msb_first: false } => move_lines::<false>(memory, &job.turned(), C::BITS, (down, right)),
+            Way::Pages { msb_first } => move_pages(memory, (&job, msb_first), (right, down)),
+            Way::Transposed { .. } | Way::Pixels => move_pixels(self, (from, to), &job, (right, down)),
         }
     }
-    let fill = (0..8).step_by(C::BITS as usize).fold(0, |fill, shift| fill | color.code() << shift);
-    for part in vacated(geometry, kept) {
-        let run = part.run(C::BITS);
-        for strip in run.strips((strips.stride, strips.stride)) {
-            strips.fill(strip, &part, fill);
+
+    /// Moves what is in an area by so many pixels to the right and down, and gives what came in a colour.
+    /// What leaves the area is lost; what is around it stays.
+    ///
+    /// ```
+    /// use aquatint::{Frame, Rect, Rows};
+    /// use embedded_graphics::{pixelcolor::BinaryColor, prelude::*};
+    ///
+    /// let mut frame = Frame::<BinaryColor, Rows, _>::with_array([0b1000_0001, 0b1100_0000], 8, 2)?;
+    /// frame.scroll(frame.bounding_box().into(), Point::new(1, -1), BinaryColor::On);
+    /// assert_eq!(frame.bytes(), [0b1110_0000, 0b1111_1111]);
+    /// frame.scroll(Rect::new(0, 0, 4, 2), Point::new(2, 0), BinaryColor::Off);
+    /// assert_eq!(frame.bytes(), [0b0011_0000, 0b0011_1111]);
+    /// # Ok::<(), aquatint::TooSmall>(())
+    /// ```
+    pub fn scroll(&mut self, area: Rect, by: Point, fill: C) {
+        let area = area.intersection(Rect::of_size(self.size()));
+        let moved = Rect {
+            left: area.left.saturating_add(by.x),
+            top: area.top.saturating_add(by.y),
+            right: area.right.saturating_add(by.x),
+            bottom: area.bottom.saturating_add(by.y),
+        };
+        let kept = moved.intersection(area);
+        if !kept.is_empty() {
+            let from = |kept: i32, by: i32| kept.saturating_sub(by);
+            let source =
+                Rect::new(from(kept.left, by.x), from(kept.top, by.y), from(kept.right, by.x), from(kept.bottom, by.y));
+            self.copy_within(source, Point::new(kept.left, kept.top));
+        }
+        for vacated in around(area, kept) {
+            let Ok(()) = self.fill_solid(&vacated.into(), fill);
         }
     }
-    Ok(())
 }
 
-/// Moves a picture in pages by whole pixels; what comes in at the other side is `color`.
-///
-/// ```
-/// use aquatint::display::blit::{Geometry, scroll_pages};
-/// use embedded_graphics::{pixelcolor::BinaryColor, prelude::Point};
-///
-/// // Three columns of 16 pixels, two of them down.
-/// let mut pages = [0x80, 0, 0, 0x01, 0, 0];
-/// scroll_pages(&mut pages, Geometry::pages(3, 16), Point::new(1, 2), BinaryColor::Off)?;
-/// assert_eq!(pages, [0, 0, 0, 0, 0b110, 0]);
-/// # Ok::<(), aquatint::TooSmall>(())
-/// ```
-///
-/// # Errors
-/// [`TooSmall`], and nothing is moved.
-pub fn scroll_pages<C>(bytes: &mut [u8], geometry: Geometry, by: Point, color: C) -> Result<(), TooSmall>
-where
-    C: Code<Raw = RawU1>,
-{
-    geometry.check_pages(bytes.len())?;
-    let kept = Part::new(Rect::of_size(geometry.size), geometry.size, by);
-    if let Some(kept) = &kept {
-        for page in ordered(kept.pages(), by.y > 0) {
-            shift_page(bytes, geometry.stride, &page, by.x > 0);
-        }
-    }
-    let fill = if color.code() & 1 == 0 { 0 } else { 0xFF };
-    for part in vacated(geometry, kept) {
-        for page in part.pages() {
-            let inside = page.inside();
-            page.bytes(bytes, geometry.stride).iter_mut().for_each(|byte| *byte ^= (*byte ^ fill) & inside);
-        }
-    }
-    Ok(())
+/// The rest of an area around what was kept of it: above, below, left and right.
+fn around(area: Rect, kept: Rect) -> [Rect; 4] {
+    let kept = if kept.is_empty() { Rect { bottom: area.top, ..area } } else { kept };
+    [
+        Rect { bottom: kept.top, ..area },
+        Rect { top: kept.bottom, ..area },
+        Rect { left: area.left, right: kept.left, ..kept },
+        Rect { left: kept.right, right: area.right, ..kept },
+    ]
 }
 
 /// From the beginning or from the end: in the order in which nothing is overwritten before it was
@@ -87,61 +112,50 @@ fn ordered<I: DoubleEndedIterator>(mut items: I, from_end: bool) -> impl Iterato
     from_fn(move || if from_end { items.next_back() } else { items.next() })
 }
 
-/// The picture around what was kept: above, below, left and right of it.
-fn vacated(geometry: Geometry, kept: Option<Part>) -> impl Iterator<Item = Part> {
-    let whole = Rect::of_size(geometry.size);
-    let kept = kept.map_or(Rect::default(), |kept| kept.area);
-    let areas = [
-        Rect { bottom: kept.top, ..whole },
-        Rect { top: kept.bottom, ..whole },
-        Rect { left: whole.left, right: kept.left, ..kept },
-        Rect { left: kept.right, right: whole.right, ..kept },
-    ];
-    let part = |area: Rect| Part { area, column: index(area.left), row: index(area.top) };
-    areas.into_iter().filter(|area| !area.is_empty()).map(part)
-}
-
-/// Rows in memory.
-struct Lines<'b> {
-    bytes: &'b mut [u8],
-    stride: usize,
-}
-
-impl Lines<'_> {
-    fn line(&mut self, row: usize) -> &mut [u8] {
-        let start = row * self.stride;
-        self.bytes.get_mut(start..start + self.stride).unwrap_or_default()
-    }
-
-    /// Moves the bits of a strip to where they are kept.
-    fn shift(&mut self, strip: Strip, kept: &Part, from_below: bool) {
-        let (top, bottom) = (index(kept.area.top), index(kept.area.bottom));
-        for row in ordered(0..bottom - top, from_below) {
-            let new = strip.word(self.line(kept.row + row));
-            strip.change(self.line(top + row), |old| old ^ new);
-        }
-    }
-
-    fn fill(&mut self, strip: Strip, part: &Part, fill: u8) {
-        let fill = usize::from_ne_bytes([fill; size_of::<usize>()]);
-        for row in index(part.area.top)..index(part.area.bottom) {
-            strip.change(self.line(row), |old| old ^ fill);
+/// Moves runs of lines.
+fn move_lines<const MSB: bool>(memory: Memory<&mut [u8]>, job: &Job, bits: u32, (right, down): (bool, bool)) {
+    let Memory { bytes, stride } = memory;
+    for strip in ordered(Run::new(job, bits).strips::<MSB>(), right) {
+        for row in ordered(0..job.height, down) {
+            let new = strip.word(bytes, (job.from.1 + row) * stride + strip.source);
+            strip.merge(bytes, (job.to.1 + row) * stride + strip.target, (new, usize::MAX), copied);
         }
     }
 }
 
-/// Moves what is kept to one page.
-fn shift_page(bytes: &mut [u8], stride: usize, page: &Page, from_right: bool) {
-    let (upper, above) = (page.row / 8 * stride + page.column, page.row % 8);
-    let target = page.index * stride + page.columns.start;
-    let inside = page.inside();
-    for column in ordered(0..page.columns.len(), from_right) {
-        // Rows of a page that is not there are not meant.
-        let byte = |page: usize| bytes.get(page + column).copied().unwrap_or(0);
-        let pair = u32::from(u16::from_le_bytes([byte(upper), byte(upper + stride)]));
-        let new = low_u8(pair >> above << page.below & 0xFF);
-        if let Some(byte) = bytes.get_mut(target + column) {
-            *byte ^= (*byte ^ new) & inside;
+/// Moves rows of pages.
+fn move_pages(memory: Memory<&mut [u8]>, (job, msb_first): (&Job, bool), (right, down): (bool, bool)) {
+    let Memory { bytes, stride } = memory;
+    let pages = Pages::new(job, msb_first);
+    for columns in ordered(Columns::of(job), right) {
+        for page in ordered(pages.range.clone(), down) {
+            let new = pages.word(bytes, stride, (page, columns.from));
+            let mask = pages.inside(page) & columns.mask;
+            change(bytes, page * stride + columns.to, |old| copied(old, new, mask));
         }
     }
+}
+
+/// Moves pixels from one corner to another.
+fn move_pixels<C, T>(target: &mut T, (from, to): (Point, Point), job: &Job, (right, down): (bool, bool))
+where
+    C: PixelColor,
+    T: DrawTarget<Color = C> + GetPixel<Color = C>,
+{
+    let (width, height) = (size_i32(low_index(job.width)), size_i32(low_index(job.height)));
+    for row in ordered(0..height, down) {
+        for column in ordered(0..width, right) {
+            let place = Point::new(column, row);
+            if let Some(color) = target.pixel(from + place) {
+                // In memory nothing goes wrong.
+                drop(target.draw_iter([Pixel(to + place, color)]));
+            }
+        }
+    }
+}
+
+/// A copy of the bits that are meant.
+#[inline]
+const fn copied(old: usize, new: usize, mask: usize) -> usize {
+    old ^ ((old ^ new) & mask)
 }

@@ -34,7 +34,7 @@ pub use words::Words;
 use core::{marker::PhantomData, ops::Range};
 
 use crate::{
-    display::region::Alike,
+    display::{blit::Packing, region::Alike},
     num::{count, low_index},
     target::Code,
 };
@@ -69,7 +69,7 @@ impl Order for LsbFirst {
 /// // Pages hold one bit a pixel.
 /// let frame = Frame::<Gray4, Pages, _>::with_array([0; 512], 128, 8);
 /// ```
-pub trait Layout<C: Copy>: sealed::Sealed + Alike<C> {
+pub trait Layout<C: Copy>: sealed::Sealed + Alike<C> + Packing {
     /// How the bytes of a picture are divided.
     const SHAPE: Shape;
 
