@@ -361,6 +361,9 @@ fn each_line((bytes, stride): (&mut [u8], usize), lines: usize, change: impl Fn(
     }
 }
 
+/// Bytes that are written at once.
+const WORD: usize = size_of::<usize>();
+
 /// Fills whole bytes with one value.
 #[inline]
 fn fill_bytes(bytes: &mut [u8], value: u8) {
@@ -369,12 +372,12 @@ fn fill_bytes(bytes: &mut [u8], value: u8) {
         bytes.fill(value);
         return;
     }
-    for word in bytes.chunks_exact_mut(4) {
-        word.copy_from_slice(&[value; 4]);
+    for word in bytes.chunks_exact_mut(WORD) {
+        word.copy_from_slice(&[value; WORD]);
     }
-    // What is left over lies in the last four bytes.
+    // What is left over lies in the last word.
     match bytes.last_chunk_mut() {
-        Some(last) => *last = [value; 4],
+        Some(last) => *last = [value; WORD],
         None => bytes.iter_mut().for_each(|byte| *byte = value),
     }
 }
