@@ -1,0 +1,162 @@
+//! Runs of bits in lines of bytes: what every layout fills with.
+
+use core::ops::Range;
+
+use super::{Memory, Order};
+use crate::num::low_index;
+
+/// Replaces the bits of `byte` that `mask` selects.
+#[inline]
+pub(super) const fn merge(byte: &mut u8, mask: u8, value: u8) {
+    *byte ^= (*byte ^ value) & mask;
+}
+
+/// The one of four that a column has.
+#[inline]
+pub(super) const fn phase(four: [u8; 4], index: usize) -> u8 {
+    let [a, b, c, d] = four;
+    match index & 3 {
+        0 => a,
+        1 => b,
+        2 => c,
+        _ => d,
+    }
+}
+
+/// A run of bits that is filled in one line or in several: which bytes of a line it touches, and how.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct BitRun {
+    first: usize,
+    last: usize,
+    /// The bits of the first and of the last byte that are in the run.
+    head: u8,
+    tail: u8,
+}
+
+impl BitRun {
+    /// The bits from `bits.start` up to, not including, `bits.end` of a line, counted in order `O` from its
+    /// first byte.
+    #[inline]
+    pub(super) fn new<O: Order>(bits: Range<usize>) -> Self {
+        let (first, last) = (bits.start / 8, bits.end.wrapping_sub(1) / 8);
+        let (before, after) = (low_index(bits.start) % 8, low_index(0_usize.wrapping_sub(bits.end)) % 8);
+        let (head, tail) =
+            if O::MSB_FIRST { (0xFF_u8 >> before, 0xFF_u8 << after) } else { (0xFF_u8 << before, 0xFF_u8 >> after) };
+        Self { first, last, head, tail }
+    }
+
+    /// Fills the run in some lines with one byte over and over.
+    #[inline]
+    pub(super) fn fill_solid(&self, memory: Memory<&mut [u8]>, lines: Range<usize>, value: u8) {
+        let Some((bytes, stride)) = memory.from(lines.start, self.first) else { return };
+        let lines = lines.end.wrapping_sub(lines.start);
+        if self.first == self.last {
+            fill_column((bytes, stride), lines, (self.head & self.tail, value));
+        } else {
+            bytes.chunks_mut(stride).take(lines).for_each(|line| self.fill_line(line, value));
+        }
+    }
+
+    /// The same in one line.
+    #[inline]
+    pub(super) fn fill_one(&self, memory: Memory<&mut [u8]>, line: usize, value: u8) {
+        if let Some((bytes, _)) = memory.from(line, self.first) {
+            self.fill_line(bytes, value);
+        }
+    }
+
+    /// One line, given from the first byte of the run on.
+    #[inline]
+    fn fill_line(&self, line: &mut [u8], value: u8) {
+        match line.get_mut(..=self.last.wrapping_sub(self.first)) {
+            Some([only]) => merge(only, self.head & self.tail, value),
+            Some([first, middle @ .., last]) => {
+                merge(first, self.head, value);
+                merge(last, self.tail, value);
+                fill_bytes(middle, value);
+            }
+            _ => {}
+        }
+    }
+
+    /// Fills the run in some lines with four bytes that repeat over each; the big end of `pattern` is for
+    /// bytes 0, 4, 8 … of a line.
+    #[inline]
+    pub(super) fn fill(&self, memory: Memory<&mut [u8]>, lines: Range<usize>, pattern: u32) {
+        let Some((bytes, stride)) = memory.from(lines.start, self.first) else { return };
+        let lines = lines.end.wrapping_sub(lines.start);
+        let four = pattern.rotate_left(8 * (low_index(self.first) & 3)).to_be_bytes();
+        let width = self.last.wrapping_sub(self.first).wrapping_add(1);
+        for line in bytes.chunks_mut(stride).take(lines) {
+            match line.get_mut(..width) {
+                Some([only]) => merge(only, self.head & self.tail, four[0]),
+                Some([first, middle @ .., last]) => {
+                    merge(first, self.head, four[0]);
+                    merge(last, self.tail, phase(four, middle.len().wrapping_add(1)));
+                    fill_pattern(middle, [four[1], four[2], four[3], four[0]]);
+                }
+                _ => return,
+            }
+        }
+    }
+}
+
+/// Gives some bits of the first byte of each line those of `value`.
+#[inline]
+fn fill_column((bytes, stride): (&mut [u8], usize), lines: usize, (mask, value): (u8, u8)) {
+    match value {
+        0 => each_line((bytes, stride), lines, |byte| *byte &= !mask),
+        0xFF => each_line((bytes, stride), lines, |byte| *byte |= mask),
+        _ => each_line((bytes, stride), lines, |byte| merge(byte, mask, value)),
+    }
+}
+
+#[inline]
+fn each_line((bytes, stride): (&mut [u8], usize), lines: usize, change: impl Fn(&mut u8)) {
+    let mut at = 0_usize;
+    for _ in 0..lines {
+        if let Some(byte) = bytes.get_mut(at) {
+            change(byte);
+        }
+        at = at.wrapping_add(stride);
+    }
+}
+
+/// Bytes that are written at once.
+const WORD: usize = size_of::<usize>();
+
+/// Fills whole bytes with one value.
+#[inline]
+fn fill_bytes(bytes: &mut [u8], value: u8) {
+    // The call of a block fill pays from some words on.
+    if bytes.len() >= 32 {
+        bytes.fill(value);
+        return;
+    }
+    for word in bytes.chunks_exact_mut(WORD) {
+        word.copy_from_slice(&[value; WORD]);
+    }
+    // What is left over lies in the last word.
+    match bytes.last_chunk_mut() {
+        Some(last) => *last = [value; WORD],
+        None => bytes.iter_mut().for_each(|byte| *byte = value),
+    }
+}
+
+/// Fills whole bytes with four that repeat.
+#[inline]
+fn fill_pattern(bytes: &mut [u8], four: [u8; 4]) {
+    let mut words = bytes.chunks_exact_mut(4);
+    for word in &mut words {
+        word.copy_from_slice(&four);
+    }
+    for (byte, value) in words.into_remainder().iter_mut().zip(four) {
+        *byte = value;
+    }
+}
+
+/// All eight bits of a byte as the lowest bit of a code.
+#[inline]
+pub(super) const fn spread(code: u8) -> u8 {
+    if code & 1 == 0 { 0 } else { 0xFF }
+}
