@@ -203,15 +203,13 @@ impl Walk {
         !self.is_steep && self.along / 3 >= self.across
     }
 
-    /// The pixels, one by one; `STEEP` is what `is_steep` says, for a loop without that question.
-    fn points<const STEEP: bool>(mut self, steps: u64) -> impl Iterator<Item = Point> {
-        // A visible line is no longer than a picture is wide or high.
-        let mut left = saturate_u32(steps);
-        core::iter::from_fn(move || {
-            left = left.checked_sub(1)?;
+    /// The pixels, one by one.
+    fn points(mut self, steps: u64) -> impl Iterator<Item = Point> {
+        let is_steep = self.is_steep;
+        (0..steps).map(move |_| {
             let (major, minor) = (self.major, self.minor);
             self.advance();
-            Some(if STEEP { Point::new(minor, major) } else { Point::new(major, minor) })
+            if is_steep { Point::new(minor, major) } else { Point::new(major, minor) }
         })
     }
 
@@ -282,10 +280,8 @@ impl<C: PixelColor> StyledDrawable<StrokeStyle<C>> for Line {
         let Some((walk, steps)) = Walk::of(self, bounds) else { return Ok(()) };
         if walk.runs_are_long() {
             walk.flat(steps, &mut Paint::new(target, style.color))
-        } else if walk.is_steep {
-            target.draw_iter(walk.points::<true>(steps).map(|point| Pixel(point, style.color)))
         } else {
-            target.draw_iter(walk.points::<false>(steps).map(|point| Pixel(point, style.color)))
+            target.draw_iter(walk.points(steps).map(|point| Pixel(point, style.color)))
         }
     }
 }
