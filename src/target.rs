@@ -15,7 +15,6 @@ use embedded_graphics::{
     },
     primitives::Rectangle,
 };
-
 use heapless::Vec;
 
 use crate::{
@@ -257,6 +256,20 @@ impl<I: Iterator> VisibleColors<I> {
         self.hidden = self.between;
         self.colors.by_ref().take(self.width)
     }
+}
+
+/// Writes an area whose colours come row by row, as far as it is seen.
+pub(crate) fn write_area<T: Target>(
+    target: &mut T,
+    area: Rect,
+    colors: impl Iterator<Item = T::Color>,
+) -> Result<(), T::Error> {
+    let visible = area.intersection(target.bounds());
+    let mut colors = VisibleColors::new(colors, area, visible);
+    for row in visible.rows() {
+        target.write_run(row, visible.columns(), colors.row().map(Some))?;
+    }
+    Ok(())
 }
 
 /// The one of four colours that a column has.

@@ -16,7 +16,7 @@
 //!   Xerox PARC 1975; operations by J. D. Foley et al., *Computer Graphics: Principles and Practice*,
 //!   section 19.6). Pages: the same with words of eight rows, each joined from two. Rows onto pages:
 //!   blocks of 8 × 8 pixels are [transposed](super::transpose). Any other two layouts: a pixel at a time.
-//! - **Cost** about 15 instructions for each strip of a line, 40 for each word of a page and 30 for each
+//! - **Cost** about 15 instructions for each strip of a line, 40 for each word of a page and 60 for each
 //!   block, on a desk; some 150 before that. A pixel at a time costs dozens each.
 //! - **Memory** none.
 

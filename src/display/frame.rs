@@ -16,7 +16,7 @@ use crate::{
     error::describe,
     num::{count, index},
     space::Rect,
-    target::{Ink, Target, VisibleColors},
+    target::{Ink, Target, write_area},
 };
 
 /// A picture of colour `C` (which gives the bits a pixel) packed in layout `L` into the bytes `B`.
@@ -283,13 +283,7 @@ impl<C: PixelColor, L: Layout<C>, B: AsMut<[u8]>> DrawTarget for Frame<C, L, B> 
     }
 
     fn fill_contiguous<I: IntoIterator<Item = C>>(&mut self, area: &Rectangle, colors: I) -> Result<(), Infallible> {
-        let area = Rect::from(*area);
-        let visible = area.intersection(self.rect());
-        let mut colors = VisibleColors::new(colors.into_iter(), area, visible);
-        for row in visible.rows() {
-            self.write_run(row, visible.columns(), colors.row().map(Some))?;
-        }
-        Ok(())
+        write_area(self, (*area).into(), colors.into_iter())
     }
 
     fn fill_solid(&mut self, area: &Rectangle, color: C) -> Result<(), Infallible> {

@@ -17,7 +17,7 @@
 //!   8 × 8, 4 × 4 and 2 × 2 bits between two words each, for eight blocks at once; three more do
 //!   the same with bytes, so that each word is a block: H. S. Warren, *Hacker's Delight*, 2nd
 //!   edition, section 7-3. Other bit orders are only other orders of words and of bytes.
-//! - **Cost** about 30 instructions a block on a desk: a picture of 128 × 64 pixels is 128 blocks.
+//! - **Cost** about 45 instructions a block on a desk: a picture of 128 × 64 pixels is 128 blocks.
 //! - **Memory** 64 bytes of stack.
 
 use core::iter::zip;

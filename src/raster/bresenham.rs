@@ -182,23 +182,21 @@ impl Walk {
         };
     }
 
-    /// One pixel on. True when the minor axis has stepped too.
+    /// One pixel on.
     #[inline]
-    fn advance(&mut self) -> bool {
+    fn advance(&mut self) {
         self.major = self.major.wrapping_add(1);
         // `error + across ≥ along`, written so that it cannot overflow.
-        let turns = self.error >= self.along - self.across;
-        if turns {
+        if self.error >= self.along - self.across {
             self.error = self.error.wrapping_sub(self.along - self.across);
             self.minor = self.minor.wrapping_add(self.direction);
         } else {
             self.error = self.error.wrapping_add(self.across);
         }
-        turns
     }
 
-    /// Whether filling runs costs less than setting pixels: six or more to a row, on average. A run on a
-    /// packed frame costs about what six pixels cost.
+    /// Whether filling runs costs less than setting pixels: three or more to a row, on average. A run on a
+    /// packed frame costs about what three pixels cost.
     const fn runs_are_long(&self) -> bool {
         !self.is_steep && self.along / 3 >= self.across
     }

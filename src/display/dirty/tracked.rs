@@ -32,7 +32,7 @@ use crate::{
     },
     num::index,
     space::Rect,
-    target::{Ink, Target, VisibleColors},
+    target::{Ink, Target, write_area},
 };
 
 /// Bytes that are copied before they are drawn on, of all planes together.
@@ -245,13 +245,7 @@ impl<C: PixelColor, L: Layout<C>, B: AsMut<[u8]>> DrawTarget for Tracked<'_, C, 
     }
 
     fn fill_contiguous<I: IntoIterator<Item = C>>(&mut self, area: &Rectangle, colors: I) -> Result<(), Infallible> {
-        let area = Rect::from(*area);
-        let visible = area.intersection(self.bounds());
-        let mut colors = VisibleColors::new(colors.into_iter(), area, visible);
-        for row in visible.rows() {
-            self.write_run(row, visible.columns(), colors.row().map(Some))?;
-        }
-        Ok(())
+        write_area(self, (*area).into(), colors.into_iter())
     }
 
     fn fill_solid(&mut self, area: &Rectangle, color: C) -> Result<(), Infallible> {
