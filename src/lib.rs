@@ -55,6 +55,7 @@ mod error;
 mod matrix;
 mod num;
 mod outcode;
+mod outline;
 mod palette;
 mod runs;
 mod space;
@@ -88,6 +89,7 @@ pub use geometry::angle::Angle;
 pub use matrix::Matrix;
 pub use num::{Scalar, Subpixel};
 pub use outcode::Outcode;
+pub use outline::{Outline, Pen, pixel_bounds};
 pub use palette::{Rgb332, ThreeColor};
 pub use raster::{
     bresenham::Line,
@@ -100,7 +102,7 @@ pub use space::{
     CLIP_LIMIT, Clip, GUARD_BAND, LEAST_W, Model, Point2, Point3, Point4, Rect, Vector3, View, World, twice_area,
 };
 pub use span::{Sink, SpanFn};
-pub use style::{FillStyle, Rule, StrokeStyle};
+pub use style::{Cap, FillStyle, Join, Rule, Stroke, StrokeStyle};
 pub use target::{Brush, Code, Four, Ink, OnDrawTarget, Solid, Target};
 
 /// Compiles what the README shows.

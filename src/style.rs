@@ -1,5 +1,7 @@
 //! How a shape is drawn as a `Drawable`: used as embedded-graphics' own `PrimitiveStyle` is used.
 
+use crate::num::Subpixel;
+
 /// Which points are inside a polygon that crosses itself or has several contours.
 ///
 /// Lecture 4.2.1. Send a ray from the point to infinity and look at the edges that it crosses.
@@ -35,16 +37,108 @@ impl<C> FillStyle<C> {
     }
 }
 
-/// Draws a line, one pixel wide.
+/// How two edges of a stroke meet.
+///
+/// ```text
+///   miter      round     bevel
+///   ────┐      ────╮     ────╲
+///   ──┐ │      ──┐ │     ──┐ │
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Join {
+    /// The borders are prolonged until they meet, where the tip is no farther from the corner than
+    /// `limit` times half the width; a bevel else. The usual limit is 4.
+    Miter {
+        /// At least 1.
+        limit: u8,
+    },
+    /// A disc about the corner.
+    Round,
+    /// The outer corners are joined by a straight edge.
+    Bevel,
+}
+
+/// How a stroke that is not closed ends.
+///
+/// ```text
+///   butt       round      square
+///   ───┐       ────╮      ─────┐
+///   ──●│       ──● │      ──●  │      ● the end of the line
+///   ───┘       ────╯      ─────┘
+/// ```
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Cap {
+    /// At the end.
+    #[default]
+    Butt,
+    /// By half a disc about the end.
+    Round,
+    /// Half the width behind the end.
+    Square,
+}
+
+/// The shape of a stroke: how wide it is, and what its corners and ends look like.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Stroke {
+    /// Across, in sixteenths of a pixel.
+    pub width: Subpixel,
+    /// At corners.
+    pub join: Join,
+    /// At the ends of contours that are not closed.
+    pub cap: Cap,
+}
+
+impl Stroke {
+    /// A stroke this many pixels wide, with mitered corners (limit 4) and butt ends.
+    #[must_use]
+    pub const fn new(pixels: u16) -> Self {
+        Self::of_width(Subpixel::from_bits((pixels as i32) << Subpixel::FRAC_NBITS))
+    }
+
+    /// The same with a width in sixteenths of a pixel. A width that is not positive draws nothing.
+    #[must_use]
+    pub const fn of_width(width: Subpixel) -> Self {
+        Self { width, join: Join::Miter { limit: 4 }, cap: Cap::Butt }
+    }
+
+    /// The same with other corners.
+    #[must_use]
+    pub const fn with_join(self, join: Join) -> Self {
+        Self { join, ..self }
+    }
+
+    /// The same with other ends.
+    #[must_use]
+    pub const fn with_cap(self, cap: Cap) -> Self {
+        Self { cap, ..self }
+    }
+}
+
+/// Draws along a line or a contour with one colour.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct StrokeStyle<C> {
     /// The colour.
     pub color: C,
+    /// The shape of the stroke.
+    pub stroke: Stroke,
 }
 
 impl<C> StrokeStyle<C> {
     /// One colour, one pixel wide.
     pub const fn new(color: C) -> Self {
-        Self { color }
+        Self { color, stroke: Stroke::new(1) }
+    }
+
+    /// The same, this many pixels wide.
+    #[must_use]
+    pub fn with_width(self, pixels: u16) -> Self {
+        let stroke = Stroke { width: Stroke::new(pixels).width, ..self.stroke };
+        self.with_stroke(stroke)
+    }
+
+    /// The same with a stroke of another shape.
+    #[must_use]
+    pub fn with_stroke(self, stroke: Stroke) -> Self {
+        Self { stroke, ..self }
     }
 }

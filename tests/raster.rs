@@ -4,7 +4,7 @@ mod exact;
 
 use aquatint::{
     Line, Point2, Polygon, Rect, Rule, SpanFn, Triangle,
-    raster::polygon::ActiveEdge,
+    raster::scan::ActiveEdge,
     vary::{Ramp, Vertex},
 };
 use embedded_graphics::geometry::Point;

@@ -25,4 +25,5 @@
 pub mod bresenham;
 pub mod flood;
 pub mod polygon;
+pub mod scan;
 pub mod triangle;

@@ -1,0 +1,171 @@
+//! Outlines: shapes as contours of straight edges, drawn with a pen as often as one asks.
+//!
+//! ```text
+//!  polygon ──┐                                          ┌──▶ edges ──▶ scanline fill
+//!  path ─────┼──▶ move_to, line_to, line_to, close ─────┼──▶ a stroke: again an outline
+//!  arc ──────┘                                          └──▶ your own pen
+//! ```
+//!
+//! Nothing is stored: whoever needs the points again traces the outline again. So a curve costs no
+//! memory, and a stroke of dashes of a path is three small machines, one inside the other.
+
+use embedded_graphics::primitives::Rectangle;
+
+use crate::{
+    edge::{LIMIT, first_row},
+    num::Subpixel,
+    space::{Point2, Rect},
+};
+
+/// A shape whose boundary can be traced.
+///
+/// ```
+/// use aquatint::{Outline, Pen, Point2};
+///
+/// /// A kite on its tip.
+/// struct Kite(i32);
+///
+/// impl Outline for Kite {
+///     fn trace<P: Pen>(&self, pen: &mut P) {
+///         pen.move_to(Point2::corner(self.0, 0));
+///         pen.line_to(Point2::corner(2 * self.0, self.0));
+///         pen.line_to(Point2::corner(self.0, 3 * self.0));
+///         pen.line_to(Point2::corner(0, self.0));
+///         pen.close();
+///     }
+/// }
+/// # assert_eq!(aquatint::pixel_bounds(&Kite(4)), aquatint::Rect::new(0, 0, 8, 12));
+/// ```
+pub trait Outline {
+    /// Draws the contours, one after the other, the same ones each time.
+    fn trace<P: Pen>(&self, pen: &mut P);
+}
+
+/// Takes contours of straight edges.
+pub trait Pen {
+    /// Begins a contour. The one before stays open if it was not closed.
+    fn move_to(&mut self, point: Point2);
+
+    /// A straight edge to a point.
+    fn line_to(&mut self, point: Point2);
+
+    /// A straight edge back to where the contour began. Another contour follows, or nothing.
+    fn close(&mut self);
+}
+
+impl<O: Outline> Outline for &O {
+    fn trace<P: Pen>(&self, pen: &mut P) {
+        (**self).trace(pen);
+    }
+}
+
+/// An edge that owns the centre of a row: where it begins and ends, from above, and which way it winds.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Directed {
+    pub(crate) upper: Point2,
+    pub(crate) lower: Point2,
+    /// +1 where the contour runs downwards, −1 upwards.
+    pub(crate) winding: i32,
+}
+
+impl Directed {
+    /// The first row that the edge owns.
+    #[inline]
+    pub(crate) const fn first_row(&self) -> i32 {
+        first_row(self.upper.y.to_bits())
+    }
+
+    /// The first row behind.
+    #[inline]
+    pub(crate) const fn end_row(&self) -> i32 {
+        first_row(self.lower.y.to_bits())
+    }
+}
+
+/// Gives every edge that owns a row, of contours that are closed where they were left open.
+#[inline]
+pub(crate) fn each_edge<O: Outline>(outline: &O, take: impl FnMut(Directed)) {
+    let mut edges = Edges { take, first: Point2::default(), last: Point2::default() };
+    outline.trace(&mut edges);
+    edges.close();
+}
+
+/// The pen of [`each_edge`].
+struct Edges<F> {
+    take: F,
+    first: Point2,
+    last: Point2,
+}
+
+impl<F: FnMut(Directed)> Pen for Edges<F> {
+    #[inline]
+    fn move_to(&mut self, point: Point2) {
+        self.close();
+        self.first = in_range(point);
+        self.last = self.first;
+    }
+
+    #[inline]
+    fn line_to(&mut self, point: Point2) {
+        let (from, to) = (self.last, in_range(point));
+        self.last = to;
+        let (upper, lower, winding) = if from.y <= to.y { (from, to, 1) } else { (to, from, -1) };
+        let edge = Directed { upper, lower, winding };
+        if edge.first_row() < edge.end_row() {
+            (self.take)(edge);
+        }
+    }
+
+    #[inline]
+    fn close(&mut self) {
+        if self.first != self.last {
+            self.line_to(self.first);
+        }
+    }
+}
+
+/// The nearest point whose edges can be walked exactly: an outline may be anybody's.
+#[inline]
+fn in_range(point: Point2) -> Point2 {
+    if point.within(LIMIT) {
+        return point;
+    }
+    let end = LIMIT.cast_signed() - 1;
+    let clamp = |v: Subpixel| v.to_bits().clamp(-end, end);
+    Point2::from_sixteenths(clamp(point.x), clamp(point.y))
+}
+
+/// The smallest rectangle of pixels that holds all points of an outline; empty for an empty outline.
+#[must_use]
+pub fn pixel_bounds<O: Outline>(outline: &O) -> Rect {
+    let mut extent = Extent(None);
+    outline.trace(&mut extent);
+    let Some((least, most)) = extent.0 else { return Rect::default() };
+    let [left, top] = [least.x, least.y].map(|v| v.to_bits() >> Subpixel::FRAC_NBITS);
+    let [right, bottom] = [most.x, most.y].map(|v| v.to_bits().saturating_add(15) >> Subpixel::FRAC_NBITS);
+    Rect::new(left, top, right, bottom)
+}
+
+/// [`pixel_bounds`] as embedded-graphics wants it.
+pub(crate) fn bounding_box<O: Outline>(outline: &O) -> Rectangle {
+    pixel_bounds(outline).into()
+}
+
+/// The least and the greatest coordinates seen.
+struct Extent(Option<(Point2, Point2)>);
+
+impl Pen for Extent {
+    fn move_to(&mut self, point: Point2) {
+        let (least, most) = self.0.unwrap_or((point, point));
+        self.0 = Some((
+            Point2::new(least.x.min(point.x), least.y.min(point.y)),
+            Point2::new(most.x.max(point.x), most.y.max(point.y)),
+        ));
+    }
+
+    fn line_to(&mut self, point: Point2) {
+        self.move_to(point);
+    }
+
+    fn close(&mut self) {}
+}
