@@ -66,6 +66,7 @@ pub mod vary;
 
 pub mod clip;
 pub mod display;
+pub mod fragment;
 pub mod geometry;
 pub mod hidden;
 pub mod model;
@@ -85,6 +86,11 @@ pub use display::{
     window::Window,
 };
 pub use error::OutOfRange;
+pub use fragment::{
+    gradient::{Extend, LinearGradient, RadialGradient},
+    pattern::{Pattern, Stencil},
+    picture::PictureInk,
+};
 pub use geometry::angle::Angle;
 pub use matrix::Matrix;
 pub use num::{Scalar, Subpixel};
@@ -103,7 +109,7 @@ pub use space::{
 };
 pub use span::{Sink, SpanFn};
 pub use style::{Cap, FillStyle, Join, Rule, Stroke, StrokeStyle};
-pub use target::{Brush, Code, Four, Ink, OnDrawTarget, Solid, Target};
+pub use target::{Brush, Code, Ink, OnDrawTarget, Target};
 
 /// Compiles what the README shows.
 #[cfg(doctest)]

@@ -130,9 +130,7 @@ fn in_range(point: Point2) -> Point2 {
     if point.within(LIMIT) {
         return point;
     }
-    let end = LIMIT.cast_signed() - 1;
-    let clamp = |v: Subpixel| v.to_bits().clamp(-end, end);
-    Point2::from_sixteenths(clamp(point.x), clamp(point.y))
+    point.clamped(LIMIT)
 }
 
 /// The smallest rectangle of pixels that holds all points of an outline; empty for an empty outline.

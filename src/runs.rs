@@ -29,7 +29,7 @@ use embedded_graphics::{
 
 use crate::{
     space::Rect,
-    target::{Ink, OnDrawTarget, Target},
+    target::{OnDrawTarget, Target},
 };
 
 /// The leftmost of 32 pixels.
@@ -233,8 +233,13 @@ impl<D: DrawTarget> Target for PerPixel<'_, D> {
         self.0.bounding_box().into()
     }
 
-    fn fill_run(&mut self, row: i32, columns: Range<i32>, ink: &impl Ink<Color = D::Color>) -> Result<(), D::Error> {
-        OnDrawTarget::new(self.0).fill_run(row, columns, ink)
+    fn fill_run<const N: usize>(
+        &mut self,
+        row: i32,
+        columns: Range<i32>,
+        colors: [D::Color; N],
+    ) -> Result<(), D::Error> {
+        OnDrawTarget::new(self.0).fill_run(row, columns, colors)
     }
 
     fn write_run(

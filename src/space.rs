@@ -152,6 +152,12 @@ impl Point2 {
     pub(crate) const fn within(self, limit: u32) -> bool {
         self.x.to_bits().unsigned_abs() < limit && self.y.to_bits().unsigned_abs() < limit
     }
+
+    /// The nearest point that is [`within`](Self::within) a limit.
+    pub(crate) fn clamped(self, limit: u32) -> Self {
+        let end = size_i32(limit.saturating_sub(1));
+        Self::from_sixteenths(self.x.to_bits().clamp(-end, end), self.y.to_bits().clamp(-end, end))
+    }
 }
 
 /// Twice the area of a screen triangle, in square sixteenths of a pixel: positive where its

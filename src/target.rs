@@ -18,6 +18,7 @@ use embedded_graphics::{
 use heapless::Vec;
 
 use crate::{
+    colour::Light,
     num::{count, count_i32, index},
     space::Rect,
     span::Sink,
@@ -33,15 +34,18 @@ pub trait Target {
     /// The pixels that exist. Whatever is asked for outside is not drawn.
     fn bounds(&self) -> Rect;
 
-    /// Gives each pixel of a run the colour that `ink` has there.
+    /// Gives the pixels of a run colours that repeat every `N` columns, counted on the screen: the first one
+    /// is for the columns 0, `N`, 2`N` … One colour is a plain run.
+    ///
+    /// With 1, 2, 4 or 8 colours a packed frame is filled a word at a time.
     ///
     /// # Errors
     /// What the display behind says.
-    fn fill_run(
+    fn fill_run<const N: usize>(
         &mut self,
         row: i32,
         columns: Range<i32>,
-        ink: &impl Ink<Color = Self::Color>,
+        colors: [Self::Color; N],
     ) -> Result<(), Self::Error>;
 
     /// Writes one colour a pixel from the left; `None` leaves the pixel as it was.
@@ -58,39 +62,60 @@ pub trait Target {
     ) -> Result<(), Self::Error>;
 }
 
-/// A pattern that repeats every four columns: one colour, or one shade of a 4 × 4 dither.
+/// What a shape is filled with: a colour, a pattern, a picture, a gradient …
 ///
-/// Four columns are what keeps filling fast: at 1, 2, 4 and 8 bits a pixel they pack into four
-/// bytes or fewer, so a patterned run costs about what a plain one costs.
+/// Every colour of embedded-graphics is an ink, and so is [`Light`]. An ink is fixed to the screen, so that
+/// bands, tiles and partial redraws agree to the pixel.
+///
+/// ```
+/// use core::ops::Range;
+///
+/// use aquatint::{Ink, Target};
+/// use embedded_graphics::pixelcolor::BinaryColor;
+///
+/// /// Every other row.
+/// struct Lines;
+///
+/// impl Ink for Lines {
+///     type Color = BinaryColor;
+///
+///     fn fill<T: Target<Color = BinaryColor>>(&self, target: &mut T, row: i32, columns: Range<i32>) -> Result<(), T::Error> {
+///         target.fill_run(row, columns, [BinaryColor::from(row % 2 == 0)])
+///     }
+/// }
+/// ```
 pub trait Ink {
     /// What a pixel is given.
     type Color: Copy;
 
-    /// The colours of the columns 0, 1, 2 and 3 (and 4, 5 …) of a row, counted on the screen.
-    fn four(&self, row: i32) -> [Self::Color; 4];
+    /// Fills a run of pixels on a target; parts of it may lie outside of the target.
+    ///
+    /// # Errors
+    /// What the target says.
+    fn fill<T: Target<Color = Self::Color>>(
+        &self,
+        target: &mut T,
+        row: i32,
+        columns: Range<i32>,
+    ) -> Result<(), T::Error>;
 }
 
-/// The ink of one colour.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Solid<C>(pub C);
-
-impl<C: Copy> Ink for Solid<C> {
+/// A colour is the simplest ink.
+impl<C: PixelColor> Ink for C {
     type Color = C;
 
-    fn four(&self, _row: i32) -> [C; 4] {
-        [self.0; 4]
+    #[inline]
+    fn fill<T: Target<Color = C>>(&self, target: &mut T, row: i32, columns: Range<i32>) -> Result<(), T::Error> {
+        target.fill_run(row, columns, [*self])
     }
 }
 
-/// The ink of four colours side by side, the same in every row.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Four<C>(pub [C; 4]);
+impl Ink for Light {
+    type Color = Self;
 
-impl<C: Copy> Ink for Four<C> {
-    type Color = C;
-
-    fn four(&self, _row: i32) -> [C; 4] {
-        self.0
+    #[inline]
+    fn fill<T: Target<Color = Self>>(&self, target: &mut T, row: i32, columns: Range<i32>) -> Result<(), T::Error> {
+        target.fill_run(row, columns, [*self])
     }
 }
 
@@ -116,7 +141,7 @@ impl<T: Target, I: Ink<Color = T::Color>> Sink for Brush<'_, T, I> {
     }
 
     fn span(&mut self, row: i32, columns: Range<i32>, (): ()) -> Result<(), T::Error> {
-        self.target.fill_run(row, columns, &self.ink)
+        self.ink.fill(self.target, row, columns)
     }
 }
 
@@ -147,14 +172,18 @@ impl<D: DrawTarget> Target for OnDrawTarget<'_, D> {
         self.bounds
     }
 
-    fn fill_run(&mut self, row: i32, columns: Range<i32>, ink: &impl Ink<Color = D::Color>) -> Result<(), D::Error> {
+    fn fill_run<const N: usize>(
+        &mut self,
+        row: i32,
+        columns: Range<i32>,
+        colors: [D::Color; N],
+    ) -> Result<(), D::Error> {
         let Some(columns) = self.bounds.clip_run(row, columns) else { return Ok(()) };
         let area = run_area(row, &columns);
-        let four = ink.four(row);
-        if four == [four[0]; 4] {
-            self.display.fill_solid(&area, four[0])
+        if let [color] = *colors.as_slice() {
+            self.display.fill_solid(&area, color)
         } else {
-            self.display.fill_contiguous(&area, columns.map(|column| phase(&four, column)))
+            self.display.fill_contiguous(&area, repeated(&colors, columns.start))
         }
     }
 
@@ -272,16 +301,41 @@ pub(crate) fn write_area<T: Target>(
     Ok(())
 }
 
-/// The one of four colours that a column has.
+/// The one of `N` repeating colours that a column has.
 #[inline]
-pub(crate) fn phase<C: Copy>(four: &[C; 4], column: i32) -> C {
-    let [a, b, c, d] = *four;
-    match column & 3 {
-        0 => a,
-        1 => b,
-        2 => c,
-        _ => d,
+pub(crate) fn phase<C: Copy, const N: usize>(colors: &[C; N], column: i32) -> Option<C> {
+    colors.get(index(column.checked_rem_euclid(count_i32(N))?)).copied()
+}
+
+/// Colours that repeat from column `origin` on, as the given ones do from column 0 on.
+#[inline]
+pub(crate) fn turned<C: Copy, const N: usize>(colors: &[C; N], origin: i32) -> [C; N] {
+    let (mut turned, mut column) = (*colors, 0_i32);
+    for place in &mut turned {
+        *place = phase(colors, column.wrapping_sub(origin)).unwrap_or(*place);
+        column = column.wrapping_add(1);
     }
+    turned
+}
+
+/// Repeating colours from a column on to the right.
+#[inline]
+pub(crate) fn repeated<C: Copy, const N: usize>(colors: &[C; N], column: i32) -> impl Iterator<Item = C> {
+    let first = index(column.checked_rem_euclid(count_i32(N)).unwrap_or(0));
+    colors.iter().copied().cycle().skip(first)
+}
+
+/// The colours of the columns 0 to 7, if eight columns hold the colours once or several times.
+#[inline]
+pub(crate) fn eight<C: Copy, const N: usize>(colors: &[C; N]) -> Option<[C; 8]> {
+    if 8_usize.checked_rem(N) != Some(0) {
+        return None;
+    }
+    let mut eight = [*colors.first()?; 8];
+    for (place, color) in eight.iter_mut().zip(colors.iter().cycle()) {
+        *place = *color;
+    }
+    Some(eight)
 }
 
 /// A colour that is stored as a code of 1, 2, 4 or 8 bits: every such colour of embedded-graphics.

@@ -6,8 +6,8 @@ mod reference;
 use core::{convert::Infallible, fmt::Debug, iter};
 
 use aquatint::{
-    Code, Columns, Frame, Inverted, LsbFirst, MsbFirst, OnDrawTarget, Pages, Planes, Rows, Solid, Spacing, Target,
-    TooSmall, Words, display::layout::Layout,
+    Code, Columns, Frame, Inverted, LsbFirst, MsbFirst, OnDrawTarget, Pages, Planes, Rows, Spacing, Target, TooSmall,
+    Words, display::layout::Layout,
 };
 use embedded_graphics::{
     Pixel,
@@ -117,7 +117,7 @@ fn fill_runs<T: Target<Color: PartialEq, Error = Infallible>>(target: &mut T, co
         let mut columns = bounds.columns();
         for run in line.chunk_by(PartialEq::eq) {
             let end = columns.start + size_i32(run.len());
-            let Ok(()) = target.fill_run(row, columns.start..end, &Solid(run[0]));
+            let Ok(()) = target.fill_run(row, columns.start..end, [run[0]]);
             columns.start = end;
         }
     }
@@ -183,7 +183,7 @@ fn draw_on_nothing<C: Code + Debug + From<Gray8>, L: Layout<C>>(_: Packing, widt
     let mut memory = [GUARD; 3];
     let mut frame = Frame::<C, L, _>::new(&mut memory[..], width, height).expect("nothing is needed");
     let Ok(()) = frame.clear(C::from_code(0));
-    let Ok(()) = frame.fill_run(0, i32::MIN..i32::MAX, &Solid(C::from_code(0)));
+    let Ok(()) = frame.fill_run(0, i32::MIN..i32::MAX, [C::from_code(0)]);
     let Ok(()) = frame.write_run(0, 0..9, iter::repeat(Some(C::from_code(0))));
     let Ok(()) = draw_shapes(&mut frame, Point::zero());
     assert_eq!((frame.pixel(Point::zero()), frame.bytes()), (None, &[][..]));

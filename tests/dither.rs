@@ -7,7 +7,7 @@ use core::{convert::Infallible, fmt::Debug, ops::Range};
 
 use aquatint::{
     Code, Columns, Dithered, Frame, Inverted, Levels, Light, LsbFirst, MsbFirst, OnDrawTarget, Pages, Planes, Rows,
-    Solid, Target,
+    Target,
     display::{dither::Method, layout::Layout, level::NotRising},
 };
 use embedded_graphics::{
@@ -27,7 +27,7 @@ fn cell(levels: &[u16], method: Method, light: u16) -> [[u8; 4]; 4] {
     let mut frame = Frame::<Gray8, Rows, _>::with_array([0; 16], 4, 4).expect("16 bytes");
     let mut dithered = Dithered::new(&mut frame, Levels::new(levels).expect("rising")).with_method(method);
     for row in 0..4 {
-        let Ok(()) = dithered.fill_run(row, 0..4, &Solid(Light(light)));
+        let Ok(()) = dithered.fill_run(row, 0..4, [Light(light)]);
     }
     core::array::from_fn(|y| core::array::from_fn(|x| frame.bytes()[4 * y + x]))
 }
@@ -71,7 +71,7 @@ fn shown<L: Layout<BinaryColor>>(shades: &[u16]) -> Vec<String> {
     let mut dithered = Dithered::new(&mut frame, Levels::ONE_BIT);
     for (left, shade) in (0..).step_by(4).zip(shades) {
         for row in 0..4 {
-            let Ok(()) = dithered.fill_run(row, left..left + 4, &Solid(Light(shade * 4095)));
+            let Ok(()) = dithered.fill_run(row, left..left + 4, [Light(shade * 4095)]);
         }
     }
     let sign = |x, y| if frame.pixel(Point::new(x, y)) == Some(BinaryColor::On) { '#' } else { '.' };

@@ -16,11 +16,11 @@ const WORDS: [(&str, &[&str]); 14] = [
     ("edge", &["num", "space"]),
     ("vary", &["num", "space"]),
     ("outline", &["edge", "num", "space"]),
-    ("target", &["num", "space", "span"]),
+    ("target", &["colour", "num", "space", "span"]),
     ("runs", &["space", "target"]),
 ];
 /// Folders; each may use every word.
-const STAGES: [&str; 6] = ["model", "geometry", "clip", "raster", "hidden", "display"];
+const STAGES: [&str; 7] = ["model", "geometry", "clip", "raster", "hidden", "fragment", "display"];
 /// The two files that join the stages.
 const ABOVE_ALL: [&str; 2] = ["pipeline", "lib"];
 

@@ -6,7 +6,7 @@ mod rays;
 use core::{convert::Infallible, ops::Range};
 
 use aquatint::{
-    Angle, Code, Dithered, Frame, Ink, Levels, Light, Matrix, Model, OnDrawTarget, Pages, Point2, Rect, Rows, Scalar,
+    Angle, Code, Dithered, Frame, Levels, Light, Matrix, Model, OnDrawTarget, Pages, Point2, Rect, Rows, Scalar,
     Target, Triangle, Vector3, View, World,
     display::layout::Layout,
     geometry::{face::is_front, light::Lamp, projection::Lens, transform::MeshTransform, viewport::Viewport},
@@ -124,8 +124,13 @@ impl Target for Lights {
         self.bounds
     }
 
-    fn fill_run(&mut self, row: i32, columns: Range<i32>, ink: &impl Ink<Color = Light>) -> Result<(), Infallible> {
-        self.write_run(row, columns, core::iter::repeat(Some(ink.four(row)[0])))
+    fn fill_run<const N: usize>(
+        &mut self,
+        row: i32,
+        columns: Range<i32>,
+        colors: [Light; N],
+    ) -> Result<(), Infallible> {
+        self.write_run(row, columns, core::iter::repeat(Some(colors[0])))
     }
 
     fn write_run(

@@ -3,8 +3,8 @@
 use core::convert::Infallible;
 
 use aquatint::{
-    Code, Columns, Dithered, FillStyle, Four, Frame, Inverted, Levels, Light, Line, Pages, Planes, Point2, Polygon,
-    Rect, Rows, Solid, StrokeStyle, Target, Turn, Turned, Window, display::layout::Layout,
+    Code, Columns, Dithered, FillStyle, Frame, Inverted, Levels, Light, Line, Pages, Planes, Point2, Polygon, Rect,
+    Rows, StrokeStyle, Target, Turn, Turned, Window, display::layout::Layout,
 };
 use embedded_graphics::{
     image::GetPixel,
@@ -38,7 +38,7 @@ where
 {
     let mut light = Dithered::new(target, levels);
     for row in 0..20_u16 {
-        let Ok(()) = light.fill_run(row.into(), i32::from(row) - 9..30, &Solid(Light(3000 * row)));
+        let Ok(()) = light.fill_run(row.into(), i32::from(row) - 9..30, [Light(3000 * row)]);
         let ramp = (0..50_u16).map(|at| (at % 7 != 0).then_some(Light(at * 1300)));
         let Ok(()) = light.write_run(i32::from(row) + 17, -3..47, ramp);
     }
@@ -132,15 +132,15 @@ proptest! {
         let mut band = Window::band(&mut frame, top);
         let Ok(()) = band.fill_solid(&area, BinaryColor::On);
         let Ok(()) = band.draw_iter([Pixel(Point::new(x, y), BinaryColor::On)]);
-        let Ok(()) = band.fill_run(y, x..top, &Four([BinaryColor::On; 4]));
+        let Ok(()) = band.fill_run(y, x..top, [BinaryColor::On; 4]);
         prop_assert!(band.pixel(Point::new(x, y)).is_none() || y >= top);
         let mut part = Window::part(&mut frame, Rect::from(area));
-        let Ok(()) = part.fill_run(y, x..top, &Four([BinaryColor::Off; 4]));
+        let Ok(()) = part.fill_run(y, x..top, [BinaryColor::Off; 1]);
         for turn in TURNS {
             let mut turned = Turned::new(&mut frame, turn);
             let Ok(()) = turned.fill_solid(&area, BinaryColor::Off);
             let Ok(()) = turned.draw_iter([Pixel(Point::new(x, y), BinaryColor::On)]);
-            let Ok(()) = turned.fill_run(y, x..top, &Four([BinaryColor::On, BinaryColor::Off, BinaryColor::On, BinaryColor::On]));
+            let Ok(()) = turned.fill_run(y, x..top, [BinaryColor::On, BinaryColor::Off, BinaryColor::On, BinaryColor::On]);
             let _ = turned.pixel(Point::new(x, y));
         }
     }

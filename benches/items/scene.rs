@@ -3,7 +3,7 @@
 use core::{convert::Infallible, hint::black_box};
 
 use aquatint::{
-    Code, Dithered, Frame, Levels, Light, Point2, Solid, Target,
+    Code, Dithered, Frame, Levels, Light, Point2, Target,
     display::{layout::Layout, transpose::Transpose},
 };
 use embedded_graphics::{
@@ -128,9 +128,9 @@ fn dither_photo<C: Code, L: Layout<C>>(surface: &mut OnFrame<C, L>) -> Result<()
 /// The rectangle of `rect_fill`, in half of the light.
 fn grey_rect<C: Code, L: Layout<C>>(surface: &mut OnFrame<C, L>) -> Result<(), Infallible> {
     let mut dithered = Dithered::new(&mut surface.target, levels::<C>());
-    let ink = Solid(black_box(Light(32_768)));
+    let light = black_box(Light(32_768));
     for row in black_box(5..55) {
-        dithered.fill_run(row, black_box(3..103), &ink)?;
+        dithered.fill_run(row, black_box(3..103), [light])?;
     }
     Ok(())
 }

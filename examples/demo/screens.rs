@@ -1,7 +1,7 @@
 //! Three panels, and the picture that is drawn on each: mesh, photograph, caption.
 
 use aquatint::{
-    Code, Dithered, Frame, Levels, Light, Matrix, Model, Pages, Rect, Rows, Solid, Target, World,
+    Code, Dithered, Frame, Levels, Light, Matrix, Model, Pages, Rect, Rows, Target, World,
     display::{dither::Method, layout::Layout},
     hidden::depth::DepthBuffer,
     model::mesh::Mesh,
@@ -151,7 +151,7 @@ fn spin(
     content: &Content<'_>,
 ) -> Result<(), String> {
     for row in place.rows() {
-        let Ok(()) = target.fill_run(row, place.columns(), &Solid(Light::BLACK));
+        let Ok(()) = target.fill_run(row, place.columns(), [Light::BLACK]);
     }
     let mut vertices = vec![MeshVertex::default(); content.mesh.positions().len()];
     let mut depths = vec![0; place.width() as usize * place.height() as usize];

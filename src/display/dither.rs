@@ -22,7 +22,7 @@ use crate::{
     display::level::Levels,
     num::high_u16,
     space::Rect,
-    target::{Code, Four, Ink, Target, phase},
+    target::{Code, Target, phase, repeated},
 };
 
 /// How light between two levels is shown.
@@ -41,13 +41,13 @@ pub const BAYER_4X4: [[u8; 4]; 4] = [[0, 8, 2, 10], [12, 4, 14, 6], [3, 11, 1, 9
 /// Takes light and gives the panel's codes, dithered: a [`Target`] of light on a target of colours.
 ///
 /// ```
-/// use aquatint::{Dithered, Frame, Levels, Light, Rect, Rows, Solid, Target};
+/// use aquatint::{Dithered, Frame, Levels, Light, Rows, Target};
 /// use embedded_graphics::pixelcolor::BinaryColor;
 ///
 /// let mut frame = Frame::<BinaryColor, Rows, _>::with_array([0; 4], 8, 4).unwrap();
 /// let mut dithered = Dithered::new(&mut frame, Levels::ONE_BIT);
 /// for row in 0..4 {
-///     dithered.fill_run(row, 0..8, &Solid(Light(32_768))).unwrap();
+///     dithered.fill_run(row, 0..8, [Light(32_768)]).unwrap();
 /// }
 /// assert_eq!(frame.bytes(), [0b1010_1010, 0b0101_0101, 0b1010_1010, 0b0101_0101]);
 /// ```
@@ -88,12 +88,22 @@ where
         self.target.bounds()
     }
 
-    fn fill_run(&mut self, row: i32, columns: Range<i32>, ink: &impl Ink<Color = Light>) -> Result<(), T::Error> {
-        let [a, b, c, d] = ink.four(row);
+    fn fill_run<const N: usize>(&mut self, row: i32, columns: Range<i32>, colors: [Light; N]) -> Result<(), T::Error> {
         let mut quantiser = Quantiser::new(self.levels, self.method.thresholds(row));
-        let mut code = |column, light| T::Color::from_code(quantiser.code(column, light));
-        let four = [code(0, a), code(1, b), code(2, c), code(3, d)];
-        self.target.fill_run(row, columns, &Four(four))
+        let mut code = |(column, light)| T::Color::from_code(quantiser.code(column, light));
+        if let [light] = *colors.as_slice() {
+            // Four thresholds make four colours of one light.
+            self.target.fill_run(row, columns, [0, 1, 2, 3].map(|column| code((column, light))))
+        } else if N.is_multiple_of(4) {
+            let mut column = 0;
+            let codes = colors.map(|light| {
+                column += 1;
+                code((column - 1, light))
+            });
+            self.target.fill_run(row, columns, codes)
+        } else {
+            self.write_run(row, columns.clone(), repeated(&colors, columns.start).map(Some))
+        }
     }
 
     fn write_run(
@@ -116,7 +126,7 @@ impl Method {
     fn thresholds(self, row: i32) -> [u8; 4] {
         match self {
             // (rank + ½) / 16
-            Self::Ordered4x4 => phase(&BAYER_4X4, row).map(|rank| 2 * rank + 1),
+            Self::Ordered4x4 => phase(&BAYER_4X4, row).unwrap_or_default().map(|rank| 2 * rank + 1),
             Self::Nearest => [16; 4],
         }
     }
@@ -150,7 +160,7 @@ impl<'l> Quantiser<'l> {
         if light.0 < self.from || light.0 > self.to {
             self.find(light);
         }
-        self.code + u8::from(light.0 > phase(&self.switch, column))
+        self.code + u8::from(phase(&self.switch, column).is_some_and(|switch| light.0 > switch))
     }
 
     fn find(&mut self, light: Light) {

@@ -16,7 +16,7 @@ use crate::{
     error::describe,
     num::{count, index},
     space::Rect,
-    target::{Ink, Target, write_area},
+    target::{Target, eight, repeated, write_area},
 };
 
 /// A picture of colour `C` (which gives the bits a pixel) packed in layout `L` into the bytes `B`.
@@ -236,10 +236,17 @@ impl<C: PixelColor, L: Layout<C>, B: AsMut<[u8]>> Target for Frame<C, L, B> {
         self.rect()
     }
 
-    fn fill_run(&mut self, row: i32, columns: Range<i32>, ink: &impl Ink<Color = C>) -> Result<(), Infallible> {
+    fn fill_run<const N: usize>(&mut self, row: i32, columns: Range<i32>, colors: [C; N]) -> Result<(), Infallible> {
         if let Some(visible) = self.rect().clip_run(row, columns) {
             let (line, columns) = (index(row), index(visible.start)..index(visible.end));
-            L::fill(self.memory_mut(), line..line + 1, columns, ink.four(row));
+            if let [color] = *colors.as_slice() {
+                L::fill_solid(self.memory_mut(), line..line + 1, columns, color);
+            } else if let Some(colors) = eight(&colors) {
+                L::fill(self.memory_mut(), line..line + 1, columns, colors);
+            } else {
+                let colors = repeated(&colors, visible.start).take(visible.len()).map(Some);
+                L::write(self.memory_mut(), line, columns.start, colors);
+            }
         }
         Ok(())
     }

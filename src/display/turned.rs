@@ -16,7 +16,7 @@ use embedded_graphics::{
 use crate::{
     num::size_i32,
     space::Rect,
-    target::{Ink, Target, phase},
+    target::{Target, phase, repeated},
 };
 
 /// How a picture lies on the panel.
@@ -129,16 +129,20 @@ impl<D: DrawTarget + OriginDimensions> Target for Turned<'_, D> {
         self.bounding_box().into()
     }
 
-    fn fill_run(&mut self, row: i32, columns: Range<i32>, ink: &impl Ink<Color = D::Color>) -> Result<(), D::Error> {
+    fn fill_run<const N: usize>(
+        &mut self,
+        row: i32,
+        columns: Range<i32>,
+        colors: [D::Color; N],
+    ) -> Result<(), D::Error> {
         let Some(columns) = self.bounds().clip_run(row, columns) else { return Ok(()) };
-        let four = ink.four(row);
         let area = self.map.area(Rect::new(columns.start, row, columns.end, row.saturating_add(1)));
-        if four == [four[0]; 4] {
-            self.display.fill_solid(&area, four[0])
+        if let [color] = *colors.as_slice() {
+            self.display.fill_solid(&area, color)
         } else if self.map.is_backwards() {
-            self.display.fill_contiguous(&area, columns.rev().map(|column| phase(&four, column)))
+            self.display.fill_contiguous(&area, columns.rev().filter_map(|column| phase(&colors, column)))
         } else {
-            self.display.fill_contiguous(&area, columns.map(|column| phase(&four, column)))
+            self.display.fill_contiguous(&area, repeated(&colors, columns.start))
         }
     }
 

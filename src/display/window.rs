@@ -32,7 +32,7 @@ use crate::{
     },
     num::index,
     space::Rect,
-    target::{Four, Ink, Target, VisibleColors, phase},
+    target::{Target, VisibleColors, turned},
 };
 
 /// A target seen through a window, with coordinates of its own.
@@ -104,12 +104,16 @@ impl<T: Target> Target for Window<'_, T> {
         self.seen
     }
 
-    fn fill_run(&mut self, row: i32, columns: Range<i32>, ink: &impl Ink<Color = T::Color>) -> Result<(), T::Error> {
+    fn fill_run<const N: usize>(
+        &mut self,
+        row: i32,
+        columns: Range<i32>,
+        colors: [T::Color; N],
+    ) -> Result<(), T::Error> {
         let Some(columns) = self.seen.clip_run(row, columns) else { return Ok(()) };
-        // The ink's phase is that of the window: turn its four colours to where the target counts from.
-        let (four, shift) = (ink.four(row), self.offset.x);
-        let turned = [0, 1, 2, 3].map(|column: i32| phase(&four, column.wrapping_sub(shift)));
-        self.target.fill_run(row.saturating_add(self.offset.y), shifted(&columns, shift), &Four(turned))
+        // Columns count from the window's left side: turn the colours to where the target counts from.
+        let (colors, shift) = (turned(&colors, self.offset.x), self.offset.x);
+        self.target.fill_run(row.saturating_add(self.offset.y), shifted(&columns, shift), colors)
     }
 
     fn write_run(

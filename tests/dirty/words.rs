@@ -2,7 +2,7 @@
 
 use core::convert::Infallible;
 
-use aquatint::{Changed, Dirty, Four, Frame, Grain, LsbFirst, MsbFirst, Target, Words, display::layout::Layout};
+use aquatint::{Changed, Dirty, Frame, Grain, LsbFirst, MsbFirst, Target, Words, display::layout::Layout};
 use embedded_graphics::{
     Pixel,
     draw_target::DrawTarget,
@@ -61,6 +61,6 @@ where
         0 => target.fill_solid(&area, color),
         1 => target.draw_iter([Pixel(area.top_left, color), Pixel(area.top_left + Point::new(3, 1), color)]),
         2 => target.fill_contiguous(&area, [color, Rgb565::BLUE].into_iter().cycle()),
-        _ => target.fill_run(area.top_left.y, run, &Four([color, Rgb565::RED, color, Rgb565::GREEN])),
+        _ => target.fill_run(area.top_left.y, run, [color, Rgb565::RED, color, Rgb565::GREEN]),
     };
 }

@@ -1,8 +1,8 @@
 //! Random small pictures on every layout, with random inks, windows, queues and memory.
 
 use aquatint::{
-    Code, Columns, Connectivity, Flood, Four, Frame, Inverted, LsbFirst, MsbFirst, Pages, Planes, Rect, Region, Rows,
-    Spacing, Words,
+    Code, Columns, Connectivity, Flood, Frame, Inverted, LsbFirst, MsbFirst, Pages, Pattern, Planes, Rect, Region,
+    Rows, Spacing, Words,
     display::{layout::Layout, region::Alike},
     raster::flood::{Filled, Run, words_needed},
 };
@@ -148,7 +148,7 @@ fn check<C: PixelColor + std::fmt::Debug, L: Layout<C> + Alike<C>>(case: &Case, 
     let filled = if ink == [ink[0]; 4] {
         flood.fill(&mut frame, region, ink[0])
     } else {
-        flood.fill_with(&mut frame, region, Four(ink))
+        flood.fill_with(&mut frame, region, Pattern::new([ink]))
     };
     let (codes, expected) = case.expected();
     assert_eq!(filled, Ok(expected), "{}", std::any::type_name::<L>());

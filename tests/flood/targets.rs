@@ -1,7 +1,7 @@
 //! Pictures in the source, targets of all kinds, and everything that can be wrong with the input.
 
 use aquatint::{
-    Connectivity, Flood, Four, Frame, Inside, Pages, PerPixel, Rect, Region, Rows, Runs, Solid, Turn, Turned, Window,
+    Connectivity, Flood, Frame, Inside, Pages, Pattern, PerPixel, Rect, Region, Rows, Runs, Turn, Turned, Window,
     raster::flood::{Filled, FloodError, Refused, Run, words_needed},
 };
 use embedded_graphics::{
@@ -152,7 +152,7 @@ proptest! {
         let (mut sheet, mut queue) = (case.sheet.clone(), vec![Run::default(); case.queue]);
         let mut flood = Flood::new(&mut memory, &mut queue).with_connectivity(case.by).with_window(seen);
         let region = case.border.map_or(case.seed.into(), |border| Region::Boundary(case.seed, Gray8::new(border)));
-        let ink = Four(case.ink.map(Gray8::new));
+        let ink = Pattern::new([case.ink.map(Gray8::new)]);
         prop_assert_eq!(flood.fill_with(&mut PerPixel::new(&mut sheet), region, ink), Ok(expected));
         prop_assert_eq!(sheet.codes, codes);
     }
@@ -169,7 +169,7 @@ fn too_little_memory_leaves_everything_untouched_and_says_what_it_takes() {
         let filled = flood.fill(&mut frame, Point::zero(), BinaryColor::On);
         assert_eq!(filled, Err(FloodError::Refused(refused)));
         assert_eq!(filled.unwrap_err().to_string(), "5 words are needed");
-        assert!(flood.fill_with(&mut frame, Point::zero(), Solid(BinaryColor::On)).is_err());
+        assert!(flood.fill_with(&mut frame, Point::zero(), BinaryColor::On).is_err());
         assert!(frame.bytes().iter().all(|&byte| byte == 0b0101_0000) && memory.iter().all(|&word| word == 77));
     }
     let (mut memory, mut queue) = ([0; 5], [Run::default(); 2]);

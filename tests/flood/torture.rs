@@ -3,7 +3,7 @@
 use std::cell::Cell;
 
 use aquatint::{
-    Brush, Connectivity, Flood, Four, Frame, Pages, Rect, Region, Rows, Runs, Sink, SpanFn,
+    Brush, Connectivity, Flood, Frame, Pages, Pattern, Rect, Region, Rows, Runs, Sink, SpanFn,
     raster::flood::{Run, words_needed},
 };
 use embedded_graphics::{geometry::Point, image::GetPixel, pixelcolor::BinaryColor, prelude::*};
@@ -102,7 +102,7 @@ fn the_patterns_are_what_their_names_say() {
 
 #[test]
 fn a_pattern_that_looks_like_the_old_colour_is_filled_in_too() {
-    let ink = Four([BinaryColor::On, BinaryColor::Off, BinaryColor::Off, BinaryColor::Off]);
+    let ink = Pattern::new([[BinaryColor::On, BinaryColor::Off, BinaryColor::Off, BinaryColor::Off]]);
     for (name, walls) in patterns::all() {
         let (mut frame, sheet) = pictures(&walls);
         let expected = region(&sheet, SEED, Connectivity::Four, |code| code == 0, AREA);
@@ -122,7 +122,7 @@ fn one_colour_fills_what_spans_fill() {
     for (name, walls) in patterns::all() {
         let ((mut by_spans, _), (mut at_once, _)) = (pictures(&walls), pictures(&walls));
         let found = flood.search(&by_spans, SEED).expect("enough memory");
-        let Ok(filled) = found.spans(&mut Brush::new(&mut by_spans, aquatint::Solid(BinaryColor::On)));
+        let Ok(filled) = found.spans(&mut Brush::new(&mut by_spans, BinaryColor::On));
         assert_eq!(flood.fill(&mut at_once, SEED, BinaryColor::On), Ok(filled), "{name}");
         assert!(by_spans.bytes() == at_once.bytes(), "{name}");
     }

@@ -2,7 +2,7 @@
 
 use std::ops::{Range, RangeInclusive};
 
-use aquatint::{Dithered, FillStyle, Frame, Levels, Light, OnDrawTarget, Point2, Polygon, Rows, Solid, Target};
+use aquatint::{Dithered, FillStyle, Frame, Levels, Light, OnDrawTarget, Point2, Polygon, Rows, Target};
 use embedded_graphics::{
     draw_target::DrawTarget,
     image::{GetPixel, Image, ImageRaw},
@@ -35,7 +35,7 @@ where
     let mut dithered = Dithered::new(&mut target, Levels::SRGB_16);
     let columns = dithered.bounds().columns();
     for row in rows {
-        dithered.fill_run(row, columns.clone(), &Solid(light))?;
+        dithered.fill_run(row, columns.clone(), [light])?;
     }
     Ok(())
 }

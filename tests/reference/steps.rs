@@ -2,7 +2,7 @@
 
 use core::{convert::Infallible, ops::Range};
 
-use aquatint::{Code, Ink, Target};
+use aquatint::{Code, Target};
 use embedded_graphics::{
     Pixel,
     draw_target::DrawTarget,
@@ -22,7 +22,8 @@ pub enum Step {
     /// An area, and how many colours there are for it.
     FillContiguous(Rectangle, u64),
     DrawIter(Vec<(Point, u8)>),
-    FillRun(i32, Range<i32>, [[u8; 4]; 4]),
+    /// Colours that repeat.
+    FillRun(i32, Range<i32>, Vec<u8>),
     WriteRun(i32, Range<i32>, Vec<Option<u8>>),
 }
 
@@ -40,10 +41,14 @@ pub fn step() -> impl Strategy<Value = Step> {
 /// Runs alone.
 pub fn run_step() -> impl Strategy<Value = Step> {
     prop_oneof![
-        (place(), run(), any::<[[u8; 4]; 4]>()).prop_map(|(row, columns, codes)| Step::FillRun(row, columns, codes)),
+        (place(), run(), repeating()).prop_map(|(row, columns, codes)| Step::FillRun(row, columns, codes)),
         (place(), run(), vec(option::of(any::<u8>()), 0..70))
             .prop_map(|(row, columns, codes)| Step::WriteRun(row, columns, codes)),
     ]
+}
+
+fn repeating() -> impl Strategy<Value = Vec<u8>> {
+    select(vec![0_usize, 1, 2, 3, 4, 5, 8, 12, 16]).prop_flat_map(|length| vec(any::<u8>(), length))
 }
 
 fn place() -> impl Strategy<Value = i32> {
@@ -69,18 +74,6 @@ fn run() -> impl Strategy<Value = Range<i32>> {
 /// Too few, or more than anything takes.
 fn colors() -> impl Strategy<Value = u64> {
     prop_oneof![0..900_u64, Just(u64::MAX)]
-}
-
-/// An ink that is different in sixteen places.
-#[derive(Clone, Copy, Debug)]
-struct Weave<C>([[C; 4]; 4]);
-
-impl<C: Copy> Ink for Weave<C> {
-    type Color = C;
-
-    fn four(&self, row: i32) -> [C; 4] {
-        self.0[row.rem_euclid(4).unsigned_abs() as usize]
-    }
 }
 
 /// Different colours, of which any number can be left out at no cost.
@@ -142,7 +135,8 @@ impl Step {
     {
         let Ok(()) = match self {
             Self::FillRun(row, columns, codes) => {
-                target.fill_run(*row, columns.clone(), &Weave(codes.map(|four| four.map(color))))
+                let colors: Vec<_> = codes.iter().copied().map(color).collect();
+                fill_run(target, (*row, columns.clone()), &colors)
             }
             Self::WriteRun(row, columns, codes) => {
                 target.write_run(*row, columns.clone(), codes.iter().map(|code| code.map(color)))
@@ -167,7 +161,10 @@ impl Step {
             Self::FillSolid(area, code) => index(area, x, y).map(|_| *code),
             Self::FillContiguous(area, number) => index(area, x, y).filter(|index| index < number).map(code_number),
             Self::DrawIter(pixels) => pixels.iter().rfind(|(at, _)| *at == Point::new(x, y)).map(|(_, code)| *code),
-            Self::FillRun(row, columns, codes) => (*row == y && columns.contains(&x)).then(|| Weave(*codes).at(x, y)),
+            Self::FillRun(row, columns, codes) => {
+                let index = x.checked_rem_euclid(i32::try_from(codes.len()).ok()?)?;
+                codes.get(usize::try_from(index).ok()?).copied().filter(|_| *row == y && columns.contains(&x))
+            }
             Self::WriteRun(row, columns, codes) => {
                 let offset = usize::try_from(i64::from(x) - i64::from(columns.start)).ok()?;
                 codes.get(offset).copied().flatten().filter(|_| *row == y && columns.contains(&x))
@@ -176,10 +173,21 @@ impl Step {
     }
 }
 
-impl Weave<u8> {
-    fn at(&self, x: i32, y: i32) -> u8 {
-        self.four(y)[x.rem_euclid(4).unsigned_abs() as usize]
+/// Fills a run with colours that repeat; how many there are is known when compiling.
+fn fill_run<C: PixelColor>(
+    target: &mut impl Target<Color = C, Error = Infallible>,
+    (row, columns): (i32, Range<i32>),
+    colors: &[C],
+) -> Result<(), Infallible> {
+    macro_rules! of_length {
+        ($($length:literal)*) => {
+            match colors.len() {
+                $($length => target.fill_run::<$length>(row, columns, colors.try_into().expect("of this length")),)*
+                other => panic!("{other} colours"),
+            }
+        };
     }
+    of_length!(0 1 2 3 4 5 8 12 16)
 }
 
 /// The place of a pixel among those of an area, row by row.

@@ -32,7 +32,7 @@ use crate::{
     },
     num::index,
     space::Rect,
-    target::{Ink, Target, write_area},
+    target::{Target, eight, repeated, write_area},
 };
 
 /// Bytes that are copied before they are drawn on, of all planes together.
@@ -198,12 +198,14 @@ impl<C: PixelColor, L: Layout<C>, B: AsMut<[u8]>> Target for Tracked<'_, C, L, B
         self.frame.bounds()
     }
 
-    fn fill_run(&mut self, row: i32, columns: Range<i32>, ink: &impl Ink<Color = C>) -> Result<(), Infallible> {
-        if let Some(run) = self.run(row, columns) {
-            let four = ink.four(row);
-            self.watch(run, |memory, part| L::fill(memory, indices(part.rows()), indices(part.columns()), four));
+    fn fill_run<const N: usize>(&mut self, row: i32, columns: Range<i32>, colors: [C; N]) -> Result<(), Infallible> {
+        let Some(run) = self.run(row, columns) else { return Ok(()) };
+        if let Some(colors) = eight(&colors) {
+            self.watch(run, |memory, part| L::fill(memory, indices(part.rows()), indices(part.columns()), colors));
+            Ok(())
+        } else {
+            self.write_run(row, run.columns(), repeated(&colors, run.left).map(Some))
         }
-        Ok(())
     }
 
     fn write_run(

@@ -25,7 +25,7 @@ pub struct Columns<O = MsbFirst>(PhantomData<O>);
 impl<C: Code<Raw = RawU1>, O: Order> Layout<C> for Columns<O> {
     const SHAPE: Shape = Shape { is_vertical: true, rows_per_line: 1, bits: 1, planes: 1 };
 
-    fn fill(memory: Memory<&mut [u8]>, rows: Range<usize>, columns: Range<usize>, colors: [C; 4]) {
+    fn fill(memory: Memory<&mut [u8]>, rows: Range<usize>, columns: Range<usize>, colors: [C; 8]) {
         let codes = colors.map(C::code);
         for (column, line) in columns.clone().zip(memory.lines(columns)) {
             let memory = Memory { stride: line.len(), bytes: line };

@@ -11,16 +11,10 @@ pub(super) const fn merge(byte: &mut u8, mask: u8, value: u8) {
     *byte ^= (*byte ^ value) & mask;
 }
 
-/// The one of four that a column has.
+/// The one of eight that a column has.
 #[inline]
-pub(super) const fn phase(four: [u8; 4], index: usize) -> u8 {
-    let [a, b, c, d] = four;
-    match index & 3 {
-        0 => a,
-        1 => b,
-        2 => c,
-        _ => d,
-    }
+pub(super) fn phase(eight: [u8; 8], index: usize) -> u8 {
+    eight.get(index & 7).copied().unwrap_or_default()
 }
 
 /// A run of bits that is filled in one line or in several: which bytes of a line it touches, and how.
@@ -79,21 +73,22 @@ impl BitRun {
         }
     }
 
-    /// Fills the run in some lines with four bytes that repeat over each; the big end of `pattern` is for
-    /// bytes 0, 4, 8 … of a line.
+    /// Fills the run in some lines with eight bytes that repeat over each; the big end of `pattern` is for
+    /// bytes 0, 8, 16 … of a line.
     #[inline]
-    pub(super) fn fill(&self, memory: Memory<&mut [u8]>, lines: Range<usize>, pattern: u32) {
+    pub(super) fn fill(&self, memory: Memory<&mut [u8]>, lines: Range<usize>, pattern: u64) {
         let Some((bytes, stride)) = memory.from(lines.start, self.first) else { return };
         let lines = lines.end.wrapping_sub(lines.start);
-        let four = pattern.rotate_left(8 * (low_index(self.first) & 3)).to_be_bytes();
+        let eight = pattern.rotate_left(8 * (low_index(self.first) & 7)).to_be_bytes();
+        let second = pattern.rotate_left(8 * (low_index(self.first.wrapping_add(1)) & 7)).to_be_bytes();
         let width = self.last.wrapping_sub(self.first).wrapping_add(1);
         for line in bytes.chunks_mut(stride).take(lines) {
             match line.get_mut(..width) {
-                Some([only]) => merge(only, self.head & self.tail, four[0]),
+                Some([only]) => merge(only, self.head & self.tail, eight[0]),
                 Some([first, middle @ .., last]) => {
-                    merge(first, self.head, four[0]);
-                    merge(last, self.tail, phase(four, middle.len().wrapping_add(1)));
-                    fill_pattern(middle, [four[1], four[2], four[3], four[0]]);
+                    merge(first, self.head, eight[0]);
+                    merge(last, self.tail, phase(second, middle.len()));
+                    fill_pattern(middle, second);
                 }
                 _ => return,
             }
@@ -143,14 +138,14 @@ fn fill_bytes(bytes: &mut [u8], value: u8) {
     }
 }
 
-/// Fills whole bytes with four that repeat.
+/// Fills whole bytes with eight that repeat.
 #[inline]
-fn fill_pattern(bytes: &mut [u8], four: [u8; 4]) {
-    let mut words = bytes.chunks_exact_mut(4);
+fn fill_pattern(bytes: &mut [u8], eight: [u8; 8]) {
+    let mut words = bytes.chunks_exact_mut(8);
     for word in &mut words {
-        word.copy_from_slice(&four);
+        word.copy_from_slice(&eight);
     }
-    for (byte, value) in words.into_remainder().iter_mut().zip(four) {
+    for (byte, value) in words.into_remainder().iter_mut().zip(eight) {
         *byte = value;
     }
 }

@@ -75,15 +75,15 @@ pub trait Layout<C: Copy>: sealed::Sealed + Alike<C> + Packing {
     /// How the bytes of a picture are divided.
     const SHAPE: Shape;
 
-    /// Gives the pixels of an area the colours of their columns' phases, `colors[column & 3]`.
+    /// Gives the pixels of an area the colours of their columns' phases, `colors[column & 7]`.
     ///
     /// The area is not empty and lies inside.
-    fn fill(memory: Memory<&mut [u8]>, rows: Range<usize>, columns: Range<usize>, colors: [C; 4]);
+    fn fill(memory: Memory<&mut [u8]>, rows: Range<usize>, columns: Range<usize>, colors: [C; 8]);
 
     /// Gives all pixels of an area one colour. The area is not empty and lies inside.
     #[inline]
     fn fill_solid(memory: Memory<&mut [u8]>, rows: Range<usize>, columns: Range<usize>, color: C) {
-        Self::fill(memory, rows, columns, [color; 4]);
+        Self::fill(memory, rows, columns, [color; 8]);
     }
 
     /// Gives the pixels from a column on one colour each; `None` is skipped. They end inside.
@@ -204,7 +204,7 @@ impl<C: Code, L: Layout<C>> Layout<C> for Inverted<L> {
     const SHAPE: Shape = L::SHAPE;
 
     #[inline]
-    fn fill(memory: Memory<&mut [u8]>, rows: Range<usize>, columns: Range<usize>, colors: [C; 4]) {
+    fn fill(memory: Memory<&mut [u8]>, rows: Range<usize>, columns: Range<usize>, colors: [C; 8]) {
         L::fill(memory, rows, columns, colors.map(inverse));
     }
 

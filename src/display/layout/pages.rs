@@ -23,9 +23,9 @@ impl<C: Code<Raw = RawU1>, O: Order> Layout<C> for Pages<O> {
     const SHAPE: Shape = Shape { is_vertical: false, rows_per_line: 8, bits: 1, planes: 1 };
 
     #[inline]
-    fn fill(memory: Memory<&mut [u8]>, rows: Range<usize>, columns: Range<usize>, colors: [C; 4]) {
+    fn fill(memory: Memory<&mut [u8]>, rows: Range<usize>, columns: Range<usize>, colors: [C; 8]) {
         let values = colors.map(|color| spread(color.code()));
-        if values == [values[0]; 4] {
+        if values == [values[0]; 8] {
             fill_area::<O>(memory, rows, columns, values[0]);
             return;
         }

@@ -18,10 +18,10 @@ pub struct Planes<O = MsbFirst>(PhantomData<O>);
 impl<C: Code<Raw = RawU2>, O: Order> Layout<C> for Planes<O> {
     const SHAPE: Shape = Shape { is_vertical: false, rows_per_line: 1, bits: 1, planes: 2 };
 
-    fn fill(memory: Memory<&mut [u8]>, rows: Range<usize>, columns: Range<usize>, colors: [C; 4]) {
+    fn fill(memory: Memory<&mut [u8]>, rows: Range<usize>, columns: Range<usize>, colors: [C; 8]) {
         let (low, high) = halves(memory);
         for (plane, shift) in [(low, 0), (high, 1)] {
-            let value = repeat::<O>(colors.map(|color| color.code() >> shift));
+            let value = join::<O>(colors.map(|color| color.code() >> shift));
             BitRun::new::<O>(columns.clone()).fill_solid(plane, rows.clone(), value);
         }
     }
@@ -59,11 +59,10 @@ fn halves(memory: Memory<&mut [u8]>) -> (Memory<&mut [u8]>, Memory<&mut [u8]>) {
     (Memory { bytes: low, stride }, Memory { bytes: high, stride })
 }
 
-/// Four low bits, twice over a byte.
-fn repeat<O: Order>(codes: [u8; 4]) -> u8 {
-    let [a, b, c, d] = codes.map(|code| code & 1);
-    let four = if O::MSB_FIRST { (a << 3) | (b << 2) | (c << 1) | d } else { (d << 3) | (c << 2) | (b << 1) | a };
-    (four << 4) | four
+/// The low bits of eight codes, in a byte.
+fn join<O: Order>(codes: [u8; 8]) -> u8 {
+    let push = |byte: u8, code: u8| (byte << 1) | (code & 1);
+    if O::MSB_FIRST { codes.into_iter().fold(0, push) } else { codes.into_iter().rev().fold(0, push) }
 }
 
 #[inline]

@@ -3,10 +3,7 @@
 use core::{marker::PhantomData, ops::Range};
 
 use super::{BitRun, Layout, Memory, MsbFirst, Order, Shape, merge};
-use crate::{
-    num::{low_index, saturate_u32},
-    target::Code,
-};
+use crate::{num::low_index, target::Code};
 
 /// Rows of pixels from the left, each row padded to whole bytes; 1, 2, 4 or 8 bits a pixel.
 ///
@@ -24,7 +21,7 @@ impl<C: Code, O: Order> Layout<C> for Rows<O> {
     const SHAPE: Shape = Shape { is_vertical: false, rows_per_line: 1, bits: C::BITS, planes: 1 };
 
     #[inline]
-    fn fill(memory: Memory<&mut [u8]>, rows: Range<usize>, columns: Range<usize>, colors: [C; 4]) {
+    fn fill(memory: Memory<&mut [u8]>, rows: Range<usize>, columns: Range<usize>, colors: [C; 8]) {
         let pattern = repeat_over_word::<C, O>(colors.map(C::code));
         BitRun::new::<O>(bits_of::<C>(columns)).fill(memory, rows, pattern);
     }
@@ -123,16 +120,15 @@ const fn shift_of<C: Code, O: Order>(start: usize) -> u32 {
     if O::MSB_FIRST { 8 - C::BITS - bit_of(start) } else { bit_of(start) }
 }
 
-/// The four codes, again and again over the bytes of a line from its left end; the big end is the first.
+/// Eight codes, again and again over the bytes of a line from its left end; the big end is the first.
 #[inline]
-fn repeat_over_word<C: Code, O: Order>(codes: [u8; 4]) -> u32 {
-    let [a, b, c, d] = codes.map(|code| u64::from(code & code_mask::<C>()));
+fn repeat_over_word<C: Code, O: Order>(codes: [u8; 8]) -> u64 {
     let bits = C::BITS;
-    let join = |a: u64, b, c, d| (((((a << bits) | b) << bits) | c) << bits) | d;
-    let copies = u64::from(u32::MAX) / ((1 << (4 * bits)) - 1);
+    let join = |word: u64, code: u8| (word << bits) | u64::from(code & code_mask::<C>());
+    let copies = u64::MAX / (u64::MAX >> (64 - 8 * bits));
     if O::MSB_FIRST {
-        saturate_u32(join(a, b, c, d) * copies)
+        codes.into_iter().fold(0, join) * copies
     } else {
-        saturate_u32(join(d, c, b, a) * copies).swap_bytes()
+        (codes.into_iter().rev().fold(0, join) * copies).swap_bytes()
     }
 }

@@ -31,15 +31,14 @@ where
 {
     const SHAPE: Shape = Shape { is_vertical: false, rows_per_line: 1, bits: 16, planes: 1 };
 
-    fn fill(memory: Memory<&mut [u8]>, rows: Range<usize>, columns: Range<usize>, colors: [C; 4]) {
-        let [a, b, c, d] = colors.map(bytes_of::<C, O>);
-        // The four of the run's first column and of those behind it.
-        let mut four = [a, b, c, d];
-        four.rotate_left(columns.start & 3);
+    fn fill(memory: Memory<&mut [u8]>, rows: Range<usize>, columns: Range<usize>, colors: [C; 8]) {
+        // The eight of the run's first column and of those behind it.
+        let mut eight = colors.map(bytes_of::<C, O>);
+        eight.rotate_left(columns.start & 7);
         let (start, end) = (columns.start.wrapping_mul(2), columns.end.wrapping_mul(2));
         for line in memory.lines(rows) {
             let pixels = line.get_mut(start..end).unwrap_or_default().chunks_exact_mut(2);
-            pixels.zip(four.iter().cycle()).for_each(|(pixel, color)| pixel.copy_from_slice(color));
+            pixels.zip(eight.iter().cycle()).for_each(|(pixel, color)| pixel.copy_from_slice(color));
         }
     }
 

@@ -152,12 +152,12 @@ impl<E: core::fmt::Debug + core::fmt::Display> core::error::Error for FloodError
 /// ```
 /// # use aquatint::{Flood, Frame, Pages, raster::flood::{Run, words_needed}};
 /// # use embedded_graphics::{pixelcolor::BinaryColor, prelude::*};
-/// use aquatint::{Connectivity, Four, Region};
+/// use aquatint::{Connectivity, Pattern, Region};
 /// # let mut frame = Frame::<BinaryColor, Pages, _>::with_array([0; 1024], 128, 64).unwrap();
 /// # let (mut memory, mut queue) = ([0; words_needed(128, 64)], [Run::default(); 16]);
 /// let mut flood = Flood::new(&mut memory, &mut queue).with_connectivity(Connectivity::Eight);
 /// let outside = Region::Boundary(Point::new(0, 0), BinaryColor::On);
-/// let stripes = Four([BinaryColor::On, BinaryColor::Off, BinaryColor::Off, BinaryColor::Off]);
+/// let stripes = Pattern::new([[BinaryColor::On, BinaryColor::Off, BinaryColor::Off, BinaryColor::Off]]);
 /// flood.fill_with(&mut frame, outside, stripes).unwrap();
 /// assert_eq!(frame.bytes()[..6], [0xFF, 0, 0, 0, 0xFF, 0]);
 /// ```
@@ -226,7 +226,7 @@ impl<'a> Flood<'a> {
     /// Finds a region without drawing. What is found may be drawn in any way, and on another target.
     ///
     /// ```
-    /// use aquatint::{Brush, Dithered, Flood, Frame, Levels, Light, Rows, Solid, raster::flood::{Run, words_needed}};
+    /// use aquatint::{Brush, Dithered, Flood, Frame, Levels, Light, Rows, raster::flood::{Run, words_needed}};
     /// use embedded_graphics::{pixelcolor::BinaryColor, prelude::*};
     ///
     /// let mut frame = Frame::<BinaryColor, Rows, _>::with_array([0; 32], 16, 16).unwrap();
@@ -235,7 +235,7 @@ impl<'a> Flood<'a> {
     /// let region = flood.search(&frame, Point::new(5, 5)).unwrap();
     ///
     /// let mut light = Dithered::new(&mut frame, Levels::ONE_BIT);
-    /// region.spans(&mut Brush::new(&mut light, Solid(Light(32_768))))?;
+    /// region.spans(&mut Brush::new(&mut light, Light(32_768)))?;
     /// assert_eq!(frame.bytes()[..4].iter().map(|byte| byte.count_ones()).sum::<u32>(), 16);
     /// # Ok::<(), core::convert::Infallible>(())
     /// ```

@@ -1,0 +1,15 @@
+//! Fragment processing: what the pixels of a shape look like. Lecture 1.5 and 5.4.
+//!
+//! - **Takes** spans of pixels.
+//! - **Gives** colours, or light for a [`Dithered`](crate::Dithered) target.
+//! - **Memory** none beyond the pattern or the picture that is lent.
+//! - **Cost** a run of a [pattern](pattern) whose width divides 8 costs about what a plain run costs; a
+//!   [gradient](gradient) some additions a pixel; a [picture](picture) a read a pixel.
+//!
+//! Everything here is an [`Ink`](crate::Ink), so it fills any shape: `polygon.spans(…, &mut
+//! Brush::new(target, ink))`, or as a [`FillStyle`](crate::FillStyle). An ink begins at its *anchor*: the
+//! corner of the screen, unless it is moved along with an object.
+
+pub mod gradient;
+pub mod pattern;
+pub mod picture;
