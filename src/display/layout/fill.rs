@@ -128,13 +128,36 @@ fn fill_bytes(bytes: &mut [u8], value: u8) {
         bytes.fill(value);
         return;
     }
+    // The last word first: it holds what is left over behind whole ones.
+    let Some(last) = bytes.last_chunk_mut() else {
+        fill_few(bytes, value);
+        return;
+    };
+    *last = [value; WORD];
     for word in bytes.chunks_exact_mut(WORD) {
         word.copy_from_slice(&[value; WORD]);
     }
-    // What is left over lies in the last word.
-    match bytes.last_chunk_mut() {
-        Some(last) => *last = [value; WORD],
-        None => bytes.iter_mut().for_each(|byte| *byte = value),
+}
+
+/// Fills less than a word, with no call of a block fill: two halves that may overlap, or single bytes.
+#[inline]
+fn fill_few(bytes: &mut [u8], value: u8) {
+    if let Some(first) = bytes.first_chunk_mut() {
+        *first = [value; WORD / 2];
+        if let Some(last) = bytes.last_chunk_mut() {
+            *last = [value; WORD / 2];
+        }
+        return;
+    }
+    match bytes {
+        [] => {}
+        [one] => *one = value,
+        [one, .., last] => {
+            (*one, *last) = (value, value);
+            if let [_, middle, _] = bytes {
+                *middle = value;
+            }
+        }
     }
 }
 
