@@ -99,8 +99,10 @@ pub use outline::{Outline, Pen, pixel_bounds};
 pub use palette::{Rgb332, ThreeColor};
 pub use raster::{
     bresenham::Line,
+    dda::DdaLine,
     flood::{Connectivity, Flood, InPlace, InPlaceError, Region},
     polygon::Polygon,
+    stipple::Stipple,
     triangle::Triangle,
 };
 pub use runs::{Inside, PerPixel, Runs};

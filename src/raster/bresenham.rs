@@ -32,7 +32,7 @@ use embedded_graphics::{
     primitives::{Primitive, Rectangle, StyledDimensions, StyledDrawable},
 };
 
-use crate::{num::saturate_u32, outcode::Outcode, space::Rect, span::Sink, style::StrokeStyle, target::Paint};
+use crate::{num::saturate_u32, raster::axes::Axes, space::Rect, span::Sink, style::StrokeStyle, target::Paint};
 
 /// A line of single pixels, both ends included. Right for all coordinates.
 ///
@@ -75,88 +75,40 @@ impl Line {
     pub fn spans<S: Sink>(&self, sink: &mut S) -> Result<(), S::Error> {
         let window = sink.bounds();
         let Some((walk, steps)) = Walk::of(self, window) else { return Ok(()) };
-        if walk.is_steep { walk.steep(steps, sink) } else { walk.flat(steps, sink) }
+        if walk.axes.is_steep { walk.steep(steps, sink) } else { walk.flat(steps, sink) }
     }
 }
 
-/// The line seen along its driving axis, standing before its first pixel.
-struct Walk {
-    /// Driving axis vertical?
-    is_steep: bool,
-    major: i32,
-    minor: i32,
-    /// +1 or −1: where the minor axis leads as the major one grows.
-    direction: i32,
+/// The line, standing on a pixel, and the error there.
+pub(super) struct Walk {
+    axes: Axes,
     error: u32,
-    /// Lengths along the axes; both fit 32 bits for any two points.
-    along: u32,
-    across: u32,
 }
 
 impl Walk {
-    /// The line, entered at its first visible pixel, and the number of visible pixels.
-    fn of(line: &Line, window: Rect) -> Option<(Self, u64)> {
-        let (start, end) = (Outcode::of(line.start, window), Outcode::of(line.end, window));
-        if window.is_empty() || !(start & end).is_inside() {
-            return None;
-        }
-        let (mut walk, columns_and_rows) = Self::whole(line, window);
-        let mut steps = 0..u64::from(walk.along) + 1;
-        if !(start.is_inside() && end.is_inside()) {
-            steps = walk.visible(steps, columns_and_rows);
-        }
+    /// The line, entered at its first visible pixel, and the steps from its first pixel that are visible.
+    pub(super) fn of(line: &Line, window: Rect) -> Option<(Self, Range<u64>)> {
+        let mut walk = Self { axes: Axes::new(line.start, line.end), error: 0 };
+        let steps = walk.axes.visible((line.start, line.end), window, |distance| walk.first_step_with(distance));
         if steps.is_empty() {
             return None;
         }
         walk.enter(steps.start);
-        Some((walk, steps.end - steps.start))
-    }
-
-    /// The whole line in canonical direction, and the window's ranges along its two axes.
-    fn whole(line: &Line, window: Rect) -> (Self, (Range<i32>, Range<i32>)) {
-        let (width, height) = (line.start.x.abs_diff(line.end.x), line.start.y.abs_diff(line.end.y));
-        let is_steep = height > width;
-        let axes = |p: Point| if is_steep { (p.y, p.x) } else { (p.x, p.y) };
-        let (a, b) = (axes(line.start), axes(line.end));
-        let (first, last) = if a.0 <= b.0 { (a, b) } else { (b, a) };
-        let direction = if first.1 <= last.1 { 1 } else { -1 };
-        let (along, across) = (width.max(height), width.min(height));
-        let ranges = if is_steep { (window.rows(), window.columns()) } else { (window.columns(), window.rows()) };
-        let walk = Self { is_steep, major: first.0, minor: first.1, direction, error: 0, along, across };
-        (walk, ranges)
+        Some((walk, steps))
     }
 
     /// Half the driving length: a tie rounds to the larger minor coordinate, which is on the way
     /// when it rises and not yet when it falls.
     fn bias(&self) -> u32 {
-        if self.direction > 0 { self.along / 2 } else { self.along.saturating_sub(1) / 2 }
-    }
-
-    /// The steps at which both coordinates lie in their ranges.
-    fn visible(&self, steps: Range<u64>, (major, minor): (Range<i32>, Range<i32>)) -> Range<u64> {
-        let ahead = |from: i32, to: i32| (i64::from(to) - i64::from(from)).max(0).unsigned_abs();
-        // One more than the distance to a coordinate that is still inside.
-        let past = |from: i32, to: i32| (i64::from(to) - i64::from(from) + 1).max(0).unsigned_abs();
-        let on_major = ahead(self.major, major.start)..ahead(self.major, major.end);
-        // How far the minor axis has to go to come in, and to leave.
-        let (enter, leave) = if self.direction > 0 {
-            (ahead(self.minor, minor.start), ahead(self.minor, minor.end))
-        } else {
-            (past(minor.end, self.minor), past(minor.start, self.minor))
-        };
-        let on_minor = self.first_step_with(enter)..self.first_step_with(leave);
-        let start = steps.start.max(on_major.start).max(on_minor.start);
-        start..steps.end.min(on_major.end).min(on_minor.end)
+        let along = self.axes.along;
+        if self.axes.direction > 0 { along / 2 } else { along.saturating_sub(1) / 2 }
     }
 
     /// The first step at which the minor axis has gone `distance`: `k·across + bias ≥ distance·along`.
     ///
     /// The products stay below 2⁶⁴ because `distance ≤ across ≤ along < 2³²` where it matters.
     fn first_step_with(&self, distance: u64) -> u64 {
-        if distance == 0 {
-            return 0;
-        }
-        let (along, across) = (u64::from(self.along), u64::from(self.across));
+        let (along, across) = (u64::from(self.axes.along), u64::from(self.axes.across));
         if distance > across || across == 0 {
             return u64::MAX;
         }
@@ -166,48 +118,40 @@ impl Walk {
     /// Stands on pixel `step` of the line.
     fn enter(&mut self, step: u64) {
         let bias = u64::from(self.bias());
-        let travelled = step * u64::from(self.across) + bias;
-        if step == 0 || self.along == 0 {
+        let (along, travelled) = (u64::from(self.axes.along), step * u64::from(self.axes.across) + bias);
+        if step == 0 || along == 0 {
             self.error = saturate_u32(bias);
             return;
         }
-        let along = u64::from(self.along);
-        let minor = saturate_u32(travelled / along);
         self.error = saturate_u32(travelled % along);
-        self.major = self.major.saturating_add_unsigned(saturate_u32(step));
-        self.minor = if self.direction > 0 {
-            self.minor.saturating_add_unsigned(minor)
-        } else {
-            self.minor.saturating_sub_unsigned(minor)
-        };
+        self.axes.go(saturate_u32(step), saturate_u32(travelled / along));
     }
 
     /// One pixel on.
     #[inline]
     fn advance(&mut self) {
-        self.major = self.major.wrapping_add(1);
+        self.axes.major = self.axes.major.wrapping_add(1);
         // `error + across ≥ along`, written so that it cannot overflow.
-        if self.error >= self.along - self.across {
-            self.error = self.error.wrapping_sub(self.along - self.across);
-            self.minor = self.minor.wrapping_add(self.direction);
+        if self.error >= self.axes.along - self.axes.across {
+            self.error = self.error.wrapping_sub(self.axes.along - self.axes.across);
+            self.axes.minor = self.axes.minor.wrapping_add(self.axes.direction);
         } else {
-            self.error = self.error.wrapping_add(self.across);
+            self.error = self.error.wrapping_add(self.axes.across);
         }
     }
 
     /// Whether filling runs costs less than setting pixels: three or more to a row, on average. A run on a
     /// packed frame costs about what three pixels cost.
     const fn runs_are_long(&self) -> bool {
-        !self.is_steep && self.along / 3 >= self.across
+        !self.axes.is_steep && self.axes.along / 3 >= self.axes.across
     }
 
     /// The pixels, one by one.
-    fn points(mut self, steps: u64) -> impl Iterator<Item = Point> {
-        let is_steep = self.is_steep;
-        (0..steps).map(move |_| {
-            let (major, minor) = (self.major, self.minor);
+    pub(super) fn points(mut self, steps: Range<u64>) -> impl Iterator<Item = Point> {
+        steps.map(move |_| {
+            let point = self.axes.point();
             self.advance();
-            if is_steep { Point::new(minor, major) } else { Point::new(major, minor) }
+            point
         })
     }
 
@@ -216,18 +160,18 @@ impl Walk {
     /// From row to row the error says how long the run is: `⌊along / across⌋` pixels or one more. So there is
     /// work for each run and none for each pixel ("run-slice": M. Abrash, *Graphics Programming Black Book*,
     /// chapter 36).
-    fn flat<S: Sink>(mut self, steps: u64, sink: &mut S) -> Result<(), S::Error> {
+    fn flat<S: Sink>(mut self, steps: Range<u64>, sink: &mut S) -> Result<(), S::Error> {
         // A visible line is no longer than a picture is wide.
-        let mut left = saturate_u32(steps);
-        let across = self.across.max(1);
-        let (shortest, rest) = (self.along / across, self.along % across);
+        let mut left = saturate_u32(steps.end - steps.start);
+        let across = self.axes.across.max(1);
+        let (shortest, rest) = (self.axes.along / across, self.axes.along % across);
         // The first run may begin anywhere in its row.
-        let mut run = if self.across == 0 { left } else { (self.along - self.error).div_ceil(across) };
-        self.error = self.error.wrapping_add(run.wrapping_mul(across)).wrapping_sub(self.along);
+        let mut run = if self.axes.across == 0 { left } else { (self.axes.along - self.error).div_ceil(across) };
+        self.error = self.error.wrapping_add(run.wrapping_mul(across)).wrapping_sub(self.axes.along);
         while run < left {
-            let end = self.major.wrapping_add_unsigned(run);
-            sink.span(self.minor, self.major..end, ())?;
-            (self.major, self.minor) = (end, self.minor.wrapping_add(self.direction));
+            let end = self.axes.major.wrapping_add_unsigned(run);
+            sink.span(self.axes.minor, self.axes.major..end, ())?;
+            (self.axes.major, self.axes.minor) = (end, self.axes.minor.wrapping_add(self.axes.direction));
             left -= run;
             let is_longer = self.error < rest;
             run = shortest + u32::from(is_longer);
@@ -236,16 +180,20 @@ impl Walk {
             }
             self.error = self.error.wrapping_sub(rest);
         }
-        if left == 0 { Ok(()) } else { sink.span(self.minor, self.major..self.major.saturating_add_unsigned(left), ()) }
+        if left == 0 {
+            Ok(())
+        } else {
+            sink.span(self.axes.minor, self.axes.major..self.axes.major.saturating_add_unsigned(left), ())
+        }
     }
 
     /// Driving axis vertical: one pixel a row.
-    fn steep<S: Sink>(mut self, steps: u64, sink: &mut S) -> Result<(), S::Error> {
-        for _ in 1..steps {
-            sink.span(self.major, self.minor..self.minor.saturating_add(1), ())?;
+    fn steep<S: Sink>(mut self, steps: Range<u64>, sink: &mut S) -> Result<(), S::Error> {
+        for _ in steps.start + 1..steps.end {
+            sink.span(self.axes.major, self.axes.minor..self.axes.minor.saturating_add(1), ())?;
             self.advance();
         }
-        sink.span(self.major, self.minor..self.minor.saturating_add(1), ())
+        sink.span(self.axes.major, self.axes.minor..self.axes.minor.saturating_add(1), ())
     }
 }
 

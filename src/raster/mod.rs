@@ -22,8 +22,11 @@
 //!   3 └───●━━━━━━━┴───┘
 //! ```
 
+mod axes;
 pub mod bresenham;
+pub mod dda;
 pub mod flood;
 pub mod polygon;
 pub mod scan;
+pub mod stipple;
 pub mod triangle;
