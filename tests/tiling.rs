@@ -89,7 +89,9 @@ proptest! {
                 // Where a quadrangle is not convex the diagonal may leave it: then both triangles are not its halves.
                 Cell::Split { falling } if is_convex([a, b, c, d]) => {
                     let halves = if falling { [[a, b, c], [a, c, d]] } else { [[a, b, d], [b, c, d]] };
-                    halves.into_iter().for_each(|half| paint_triangle(half, &mut pixels));
+                    for half in halves {
+                        paint_triangle(half, &mut pixels);
+                    }
                 }
                 Cell::Split { .. } | Cell::Shared => shared.push([a, b, c, d]),
             }

@@ -3,11 +3,13 @@
 use core::{convert::Infallible, hint::black_box};
 
 use aquatint::{
-    Code, Dithered, Frame, Levels, Light, Point2, Target,
+    Code, Dithered, Flood, Frame, Levels, Light, Point2, Target,
     display::{layout::Layout, transpose::Transpose},
+    raster::flood::{Run, words_needed},
 };
 use embedded_graphics::{
     Drawable, Pixel,
+    draw_target::DrawTarget,
     geometry::{Point, Size},
     pixelcolor::{BinaryColor, PixelColor},
     primitives::{Primitive, PrimitiveStyle, Rectangle},
@@ -41,6 +43,7 @@ pub fn both<'s, S: Shapes>() -> &'s [Item<S>] {
 pub fn alone<'m, C: Ink, L: Packed<C>>() -> &'m [Item<OnFrame<'m, C, L>>] {
     &[
         ("star_fill", star_fill), //
+        ("flood", flood),
         ("dither_photo", dither_photo),
         ("grey_rect", grey_rect),
         // As embedded-graphics does it, on our frames.
@@ -109,6 +112,21 @@ const STAR: [(i32, i32); 12] = [
 
 fn star_fill<C: Ink, L: Layout<C>>(surface: &mut OnFrame<C, L>) -> Result<(), Infallible> {
     fill(&black_box(STAR.map(|(x, y)| Point2::corner(x, y))), on(), &mut surface.target)
+}
+
+/// A U of walls, and the 2061 pixels between them filled from one of its arms.
+fn flood<C: Ink, L: Packed<C>>(surface: &mut OnFrame<C, L>) -> Result<(), Infallible> {
+    let frame = &mut surface.target;
+    for (left, top, width, height, color) in
+        [(37, 0, 53, 63, BinaryColor::On), (38, 1, 51, 61, BinaryColor::Off), (53, 0, 21, 51, BinaryColor::On)]
+    {
+        frame.fill_solid(&Rectangle::new(Point::new(left, top), Size::new(width, height)), color.into())?;
+    }
+    let (mut memory, mut queue) = ([0; words_needed(400, 240)], [Run::default(); 16]);
+    let filled = Flood::new(&mut memory, &mut queue).fill(frame, black_box(Point::new(41, 5)), on());
+    // A region that was refused would show as a picture without it.
+    black_box(filled.map_or(0, |filled| filled.pixels));
+    Ok(())
 }
 
 /// The levels of a panel of one or four bits.
