@@ -7,9 +7,9 @@
 //! # The map
 //!
 //! ```text
-//!  model        geometry       clip          raster        hidden                     display
-//!  mesh    ──▶  transform, ──▶ keep the  ──▶ lines,   ──▶  who is   ─────────────▶   light → levels →
-//!               project,       visible       polygons      in front                  bits → bytes
+//!  model        geometry       clip          raster        hidden        fragment       display
+//!  mesh    ──▶  transform, ──▶ keep the  ──▶ lines,   ──▶  who is   ──▶  patterns, ──▶  light → levels →
+//!               project,       visible       shapes        in front      gradients      bits → bytes
 //!               light          part          become spans
 //! ```
 //!
@@ -18,8 +18,9 @@
 //! | [`model`] | arrays in flash | a checked mesh |
 //! | [`geometry`] | vertices, matrices, a lamp | screen points with depth; light |
 //! | [`clip`] | lines, polygons, points in clip space | what is inside |
-//! | [`raster`] | lines, polygons, triangles | spans |
+//! | [`raster`] | lines, outlines, strokes, triangles | spans |
 //! | [`hidden`] | fragments with depth | the nearest |
+//! | [`fragment`] | spans | colours: patterns, pictures, gradients |
 //! | [`display`] | light or colours | packed bytes |
 //!
 //! Modules in the root are *words*, which every stage may use; stages never use each other. Only
@@ -49,7 +50,11 @@
 #![forbid(unsafe_code)]
 #![deny(missing_docs)]
 
+mod affine;
+mod angle;
+mod arc;
 mod colour;
+pub mod curve;
 mod edge;
 mod error;
 mod matrix;
@@ -73,7 +78,16 @@ pub mod model;
 pub mod pipeline;
 pub mod raster;
 
+pub use affine::{Affine, Placed};
+pub use angle::Angle;
+pub use arc::{Arc, Chord, Oval, Sector};
+pub use clip::{
+    bounds::{BoundingBox, BoundingCircle, Verdict},
+    convex::ConvexWindow,
+    window::ClipWindow,
+};
 pub use colour::Light;
+pub use curve::Flatten;
 pub use display::{
     blit::{Blit, Part, RasterOp},
     dirty::{Changed, Dirty, DirtyWindow, Grain, Tracked},
@@ -91,7 +105,6 @@ pub use fragment::{
     pattern::{Pattern, Stencil},
     picture::PictureInk,
 };
-pub use geometry::angle::Angle;
 pub use matrix::Matrix;
 pub use num::{Scalar, Subpixel};
 pub use outcode::Outcode;
@@ -99,10 +112,16 @@ pub use outline::{Outline, Pen, pixel_bounds};
 pub use palette::{Rgb332, ThreeColor};
 pub use raster::{
     bresenham::Line,
+    circle::Circle,
     dda::DdaLine,
+    ellipse::Ellipse,
     flood::{Connectivity, Flood, InPlace, InPlaceError, Region},
+    path::{Path, Segment},
     polygon::Polygon,
+    polyline::Polyline,
+    rounded_rectangle::RoundedRectangle,
     stipple::Stipple,
+    stroke::{Stroked, dash::Dashed},
     triangle::Triangle,
 };
 pub use runs::{Inside, PerPixel, Runs};

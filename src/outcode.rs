@@ -17,6 +17,9 @@ use embedded_graphics::geometry::Point;
 
 use crate::space::Rect;
 
+/// x and y, in any unit.
+type Place = (i32, i32);
+
 /// The sides of a rectangle beyond which a pixel lies.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Outcode(u8);
@@ -37,6 +40,19 @@ impl Outcode {
                 | bit(point.y >= window.bottom, Self::BELOW)
                 | bit(point.y < window.top, Self::ABOVE),
         )
+    }
+
+    /// Classifies a place between whole coordinates, given as those below and above it, against a closed
+    /// window, given as its first and last coordinates.
+    ///
+    /// Exact: a number is less than a whole one if the whole number below it is, and greater if the one above
+    /// it is.
+    pub(crate) const fn of_place((floor, ceiling): (Place, Place), (min, max): (Place, Place)) -> Self {
+        let left = if floor.0 < min.0 { Self::LEFT } else { 0 };
+        let right = if ceiling.0 > max.0 { Self::RIGHT } else { 0 };
+        let below = if ceiling.1 > max.1 { Self::BELOW } else { 0 };
+        let above = if floor.1 < min.1 { Self::ABOVE } else { 0 };
+        Self(left | right | below | above)
     }
 
     /// Inside: beyond no side.

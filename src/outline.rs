@@ -13,7 +13,7 @@ use embedded_graphics::primitives::Rectangle;
 
 use crate::{
     edge::{LIMIT, first_row},
-    num::Subpixel,
+    num::{SUBPIXELS, Subpixel},
     space::{Point2, Rect},
 };
 
@@ -126,7 +126,7 @@ impl<F: FnMut(Directed)> Pen for Edges<F> {
 
 /// The nearest point whose edges can be walked exactly: an outline may be anybody's.
 #[inline]
-fn in_range(point: Point2) -> Point2 {
+pub(crate) fn in_range(point: Point2) -> Point2 {
     if point.within(LIMIT) {
         return point;
     }
@@ -141,6 +141,17 @@ pub fn pixel_bounds<O: Outline>(outline: &O) -> Rect {
     let Some((least, most)) = extent.0 else { return Rect::default() };
     let [left, top] = [least.x, least.y].map(|v| v.to_bits() >> Subpixel::FRAC_NBITS);
     let [right, bottom] = [most.x, most.y].map(|v| v.to_bits().saturating_add(15) >> Subpixel::FRAC_NBITS);
+    Rect::new(left, top, right, bottom)
+}
+
+/// The pixels whose centres are no farther out than the outermost points.
+pub(crate) fn center_bounds<O: Outline>(outline: &O) -> Rect {
+    let mut extent = Extent(None);
+    outline.trace(&mut extent);
+    let Some((least, most)) = extent.0 else { return Rect::default() };
+    // Centres on the left and top are inside, on the right and bottom outside: columns as rows.
+    let [left, top, right, bottom] =
+        [least.x, least.y, most.x, most.y].map(|v| first_row(v.to_bits().min(i32::MAX - SUBPIXELS)));
     Rect::new(left, top, right, bottom)
 }
 

@@ -1,6 +1,6 @@
 //! How a shape is drawn as a `Drawable`: used as embedded-graphics' own `PrimitiveStyle` is used.
 
-use crate::num::Subpixel;
+use crate::num::{Subpixel, saturate_u16};
 
 /// Which points are inside a polygon that crosses itself or has several contours.
 ///
@@ -13,6 +13,16 @@ pub enum Rule {
     NonZero,
     /// Inside when the number of crossings is odd. A pentagram has a hole in the middle.
     EvenOdd,
+}
+
+impl Rule {
+    /// The bits of a winding number that decide: all, or the lowest.
+    pub(crate) const fn mask(self) -> i32 {
+        match self {
+            Self::NonZero => -1,
+            Self::EvenOdd => 1,
+        }
+    }
 }
 
 /// Fills a shape with one colour.
@@ -47,12 +57,12 @@ impl<C> FillStyle<C> {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Join {
     /// The borders are prolonged until they meet, where the tip is no farther from the corner than
-    /// `limit` times half the width; a bevel else. The usual limit is 4.
+    /// `limit` times half the width; a bevel else. A limit of 4, as of SVG, miters corners of 29° and more.
     Miter {
-        /// At least 1.
+        /// At 0 and 1 no corner is mitered. Above 64 the tips of strokes wider than 256 pixels are no longer exact.
         limit: u8,
     },
-    /// A disc about the corner.
+    /// The borders are joined by an arc about the corner.
     Round,
     /// The outer corners are joined by a straight edge.
     Bevel,
@@ -78,9 +88,17 @@ pub enum Cap {
 }
 
 /// The shape of a stroke: how wide it is, and what its corners and ends look like.
+///
+/// ```
+/// use aquatint::{Cap, Join, Stroke, Subpixel};
+///
+/// let marker = Stroke::new(6).with_join(Join::Round).with_cap(Cap::Round);
+/// let hairline = Stroke::of_width(Subpixel::from_num(0.75));
+/// assert_eq!((marker.width.to_bits(), hairline.width.to_bits()), (96, 12));
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Stroke {
-    /// Across, in sixteenths of a pixel.
+    /// Across, in sixteenths of a pixel. Draws nothing unless positive, and no wider than [`WIDEST`](Self::WIDEST).
     pub width: Subpixel,
     /// At corners.
     pub join: Join,
@@ -89,6 +107,9 @@ pub struct Stroke {
 }
 
 impl Stroke {
+    /// 4095 pixels and 15 sixteenths. A stroke that is wider is drawn this wide.
+    pub const WIDEST: Subpixel = Subpixel::from_bits(0xFFFF);
+
     /// A stroke this many pixels wide, with mitered corners (limit 4) and butt ends.
     #[must_use]
     pub const fn new(pixels: u16) -> Self {
@@ -112,9 +133,16 @@ impl Stroke {
     pub const fn with_cap(self, cap: Cap) -> Self {
         Self { cap, ..self }
     }
+
+    /// The width that is drawn, in sixteenths of a pixel; zero draws nothing.
+    pub(crate) const fn sixteenths(self) -> u16 {
+        saturate_u16(self.width.to_bits() as i64)
+    }
 }
 
 /// Draws along a line or a contour with one colour.
+///
+/// A [`Line`](crate::Line) one pixel wide is Bresenham's, of whole pixels and without caps; everything else is an area.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct StrokeStyle<C> {
     /// The colour.

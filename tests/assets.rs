@@ -1,19 +1,28 @@
 //! The bunny that is compiled in is the one of the OBJ file, and a mesh as `Mesh` wants it.
 
-use std::{collections::HashMap, path::Path, process::Command};
+use std::{
+    collections::HashMap,
+    path::{Path, PathBuf},
+    process::Command,
+};
 
 use aquatint::model::mesh::Mesh;
 
 const BUNNY: Mesh<'static> = include!("../examples/assets/bunny.rs");
 
-#[test]
-fn the_constant_is_what_the_converter_makes_of_the_file() {
+/// The program of an example, which `cargo test` has built.
+fn example(name: &str) -> PathBuf {
     let test = std::env::current_exe().expect("a path");
     let built = test.ancestors().nth(2).expect("target/debug").join("examples");
-    let path = built.join(format!("mesh_to_rust{}", std::env::consts::EXE_SUFFIX));
+    let path = built.join(format!("{name}{}", std::env::consts::EXE_SUFFIX));
     assert!(path.exists(), "{} is not built: run `cargo test` whole, or `cargo build --examples`", path.display());
+    path
+}
+
+#[test]
+fn the_constant_is_what_the_converter_makes_of_the_file() {
     let model = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples/assets/bunny.obj");
-    let output = Command::new(path).arg(model).output().expect("it runs");
+    let output = Command::new(example("mesh_to_rust")).arg(model).output().expect("it runs");
     assert!(output.status.success());
     let (made, kept) = (String::from_utf8(output.stdout).expect("text"), include_str!("../examples/assets/bunny.rs"));
     let differing = made.lines().zip(kept.lines()).position(|(made, kept)| made != kept);
@@ -64,4 +73,23 @@ fn normals_have_a_length_of_127() {
 
 fn length(vector: [f64; 3]) -> f64 {
     vector.iter().map(|v| v * v).sum::<f64>().sqrt()
+}
+
+#[test]
+fn the_picture_of_shapes_is_what_the_example_draws() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let made = folder.path().join("shapes.png");
+    let output = Command::new(example("shapes")).arg(&made).output().expect("it runs");
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    let kept = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples/assets/shapes.png");
+    assert!(pixels(&made) == pixels(&kept), "cargo run --release --example shapes examples/assets/shapes.png");
+}
+
+/// Size and bytes of a PNG.
+fn pixels(path: &Path) -> (u32, u32, Vec<u8>) {
+    let file = std::io::BufReader::new(std::fs::File::open(path).expect("a file"));
+    let mut reader = png::Decoder::new(file).read_info().expect("a PNG");
+    let mut bytes = vec![0; reader.output_buffer_size().expect("a size")];
+    let info = reader.next_frame(&mut bytes).expect("a picture");
+    (info.width, info.height, bytes)
 }

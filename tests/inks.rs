@@ -4,13 +4,13 @@ use std::{convert::Infallible, ops::Range};
 
 use aquatint::{
     Brush, Dithered, Extend, Frame, Ink, Levels, Light, LinearGradient, Pages, Pattern, PictureInk, Point2,
-    RadialGradient, Rect, Rows, Sink, Stencil, Target,
+    RadialGradient, Rect, Rows, Sink, Stencil, Target, Window,
     fragment::{gradient::between, pattern::hatch},
 };
 use embedded_graphics::{
     geometry::{Dimensions, Point},
     image::{GetPixel, ImageRaw},
-    pixelcolor::{BinaryColor, Gray8},
+    pixelcolor::{BinaryColor, Gray4, Gray8, GrayColor},
     primitives::PointsIter,
 };
 use proptest::{collection::vec, prelude::*, sample::select};
@@ -187,6 +187,42 @@ proptest! {
             prop_assert!(got.abs_diff(expected.min(65_535)) <= slack, "{got}, not {expected} at {x}, {y}");
         }
     }
+}
+
+/// Runs of a number of colours that repeat, on a frame, dithered and not, and on a window of it.
+fn runs_of<const N: usize>() {
+    let colors: [Gray4; N] = std::array::from_fn(|index| Gray4::new(u8::try_from(index * 7 % 16).expect("small")));
+    let mut frame = Frame::<Gray4, Rows, _>::with_array([0; 64], 32, 4).expect("enough");
+    let Ok(()) = frame.fill_run(0, 3..29, colors);
+    let Ok(()) = Window::part(&mut frame, Rect::new(5, 1, 32, 2)).fill_run(0, i32::MIN..i32::MAX, colors);
+    let lights = colors.map(|color| Light(u16::from(color.luma()) * 4369));
+    let Ok(()) = Dithered::new(&mut frame, Levels::LINEAR_16).fill_run(2, 3..29, lights);
+    for x in 0..32_u8 {
+        let expected =
+            |column: i32| colors.get(column.rem_euclid(i32::try_from(N).expect("few").max(1)).unsigned_abs() as usize);
+        let at = |y| frame.pixel(Point::new(x.into(), y)).expect("inside");
+        let inside = Some(()).filter(|()| (3..29).contains(&x)).and_then(|()| expected(x.into()));
+        assert_eq!(at(0), *inside.unwrap_or(&Gray4::BLACK), "{N} colours at {x}");
+        let in_window = Some(()).filter(|()| x >= 5).and_then(|()| expected(i32::from(x) - 5));
+        assert_eq!(at(1), *in_window.unwrap_or(&Gray4::BLACK), "{N} colours at {x} in a window");
+        // These lights are levels of the panel, which no dither changes.
+        assert_eq!(at(2), *inside.unwrap_or(&Gray4::BLACK), "{N} lights at {x}");
+    }
+}
+
+#[test]
+fn runs_repeat_any_number_of_colours() {
+    runs_of::<0>();
+    runs_of::<1>();
+    runs_of::<2>();
+    runs_of::<3>();
+    runs_of::<4>();
+    runs_of::<5>();
+    runs_of::<6>();
+    runs_of::<8>();
+    runs_of::<12>();
+    runs_of::<16>();
+    runs_of::<33>();
 }
 
 #[test]

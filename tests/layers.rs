@@ -3,7 +3,7 @@
 use std::{collections::BTreeSet, fs, path::Path};
 
 /// Files directly in `src/`, and what each uses: only words above it, so that there is no cycle.
-const WORDS: [(&str, &[&str]); 14] = [
+const WORDS: [(&str, &[&str]); 18] = [
     ("error", &[]),
     ("num", &[]),
     ("palette", &[]),
@@ -16,6 +16,10 @@ const WORDS: [(&str, &[&str]); 14] = [
     ("edge", &["num", "space"]),
     ("vary", &["num", "space"]),
     ("outline", &["edge", "num", "space"]),
+    ("angle", &["num"]),
+    ("affine", &["angle", "num", "outline", "space"]),
+    ("arc", &["angle", "edge", "error", "num", "outline", "space"]),
+    ("curve", &["arc", "num", "outline", "space"]),
     ("target", &["colour", "num", "space", "span"]),
     ("runs", &["space", "target"]),
 ];

@@ -10,6 +10,8 @@ mod ours;
 mod peers;
 mod pictures;
 mod scene;
+#[cfg(not(target_os = "none"))]
+mod skia;
 
 use aquatint::{Frame, Pages, Rows};
 use embedded_graphics::{
@@ -75,7 +77,18 @@ pub fn all(memory: &mut [u8; MEMORY], visitor: &mut impl Visitor) {
     peer("h400", EMBEDDED_GRAPHICS, OneBit::<400, 240, { buffer_size::<BinaryColor>(400, 240) }>::new, visitor);
     panel::<Gray4, Rows>("g256", (256, 64), memory, visitor);
     peer("g256", EMBEDDED_GRAPHICS, FourBits::<256, 64, { buffer_size::<Gray4>(256, 64) }>::new, visitor);
+    #[cfg(not(target_os = "none"))]
+    desk(visitor);
     of_bytes(memory, visitor);
+}
+
+/// Shows what a peer can that runs on the desk only.
+#[cfg(not(target_os = "none"))]
+fn desk(visitor: &mut impl Visitor) {
+    let mut surface = skia::TinySkia::new();
+    for &(item, draw) in scene::polygons() {
+        visitor.visit(Label { item, panel: "h128", who: "tiny-skia" }, &mut surface, draw);
+    }
 }
 
 /// Shows what is done to bytes, not to a surface.

@@ -3,7 +3,7 @@
 use core::convert::Infallible;
 
 use aquatint::{
-    Code, FillStyle, Frame, GlyphSheet, Line, Point2, Polygon, Rows, StrokeStyle,
+    Circle, Code, FillStyle, Frame, GlyphSheet, Line, Point2, Polygon, Rows, StrokeStyle,
     display::{
         blit::{Blit, Coded, RasterOp},
         layout::Layout,
@@ -18,8 +18,10 @@ use embedded_graphics::{
     primitives::{Primitive, Rectangle},
 };
 
+use heapless::Vec;
+
 use super::{
-    peers::{Shapes, Surface},
+    peers::{Polygons, Shapes, Surface},
     pictures::{BITS_SIZE, bits},
 };
 
@@ -90,6 +92,14 @@ where
         fill(&corners.map(|Point { x, y }| Point2::corner(x, y)), color, &mut self.target)
     }
 
+    fn circle(&mut self, corner: Point, diameter: u32, color: C) -> Result<(), Infallible> {
+        Circle::new(corner, diameter).into_styled(StrokeStyle::new(color)).draw(&mut self.target)
+    }
+
+    fn disc(&mut self, corner: Point, diameter: u32, color: C) -> Result<(), Infallible> {
+        Circle::new(corner, diameter).into_styled(FillStyle::new(color)).draw(&mut self.target)
+    }
+
     fn text(&mut self, text: &str, at: Point, color: C) -> Result<(), Infallible> {
         self.sheet.draw(&mut self.target, text, at, color);
         Ok(())
@@ -107,6 +117,13 @@ where
             self.target.paint(&bits, at, BinaryColor::On.into());
         }
         Ok(())
+    }
+}
+
+impl<C: Ink, L: Packed<C>> Polygons for Ours<'_, Frame<C, L, &mut [u8]>, L> {
+    fn polygon(&mut self, corners: &[Point], color: C) -> Result<(), Infallible> {
+        let corners = corners.iter().map(|&Point { x, y }| Point2::corner(x, y));
+        fill(&corners.collect::<Vec<_, 12>>(), color, &mut self.target)
     }
 }
 

@@ -30,6 +30,17 @@ pub trait Shapes: DrawTarget<Color: From<BinaryColor>, Error: Debug> + Sized {
         primitives::Triangle::new(a, b, c).into_styled(PrimitiveStyle::with_fill(color)).draw(self)
     }
 
+    /// The outline of a circle, one pixel wide, from its top left corner and its diameter.
+    fn circle(&mut self, corner: Point, diameter: u32, color: Self::Color) -> Result<(), Self::Error> {
+        let style = PrimitiveStyle::with_stroke(color, 1);
+        primitives::Circle::new(corner, diameter).into_styled(style).draw(self)
+    }
+
+    /// A filled circle.
+    fn disc(&mut self, corner: Point, diameter: u32, color: Self::Color) -> Result<(), Self::Error> {
+        primitives::Circle::new(corner, diameter).into_styled(PrimitiveStyle::with_fill(color)).draw(self)
+    }
+
     /// Text in `FONT_6X10`.
     fn text(&mut self, text: &str, at: Point, color: Self::Color) -> Result<(), Self::Error> {
         write_text(self, text, at, color)
@@ -39,6 +50,11 @@ pub trait Shapes: DrawTarget<Color: From<BinaryColor>, Error: Debug> + Sized {
     fn image(&mut self, at: Point) -> Result<(), Self::Error> {
         draw_image(self, at)
     }
+}
+
+/// Those who fill polygons of any number of corners.
+pub trait Polygons: Surface {
+    fn polygon(&mut self, corners: &[Point], color: Self::Color) -> Result<(), Self::Error>;
 }
 
 /// Text as embedded-graphics writes it.

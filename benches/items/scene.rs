@@ -3,7 +3,8 @@
 use core::{convert::Infallible, hint::black_box};
 
 use aquatint::{
-    Code, Dithered, Flood, Frame, Levels, Light, Point2, Target,
+    Cap, Code, Dithered, FillStyle, Flood, Frame, Join, Levels, Light, Line, Path, Point2, Polyline, Segment, Stroke,
+    StrokeStyle, Target,
     display::{layout::Layout, transpose::Transpose},
     raster::flood::{Run, words_needed},
 };
@@ -17,8 +18,8 @@ use embedded_graphics::{
 
 use super::{
     Item,
-    ours::{Ink, Ours, Packed, fill},
-    peers::{Shapes, draw_image, write_text},
+    ours::{Ink, Ours, Packed},
+    peers::{Polygons, Shapes, draw_image, write_text},
     pictures::{PHOTO_WIDTH, photo},
 };
 
@@ -33,17 +34,28 @@ pub fn both<'s, S: Shapes>() -> &'s [Item<S>] {
         ("shallow", |s| line(s, [(7, 9), (106, 34)])),
         ("steep", |s| line(s, [(20, 2), (34, 61)])),
         ("tri_fill", tri_fill),
+        ("tri_fill_x16", tri_fill_x16),
+        ("circle_out", |s| s.circle(black_box(Point::new(44, 12)), black_box(41), on())),
+        ("circle_fill", |s| s.disc(black_box(Point::new(44, 12)), black_box(41), on())),
         ("text", text),
         ("blit", blit),
         ("one_frame", one_frame),
     ]
 }
 
+/// Polygons, which few of the peers draw.
+pub fn polygons<'s, S: Polygons>() -> &'s [Item<S>] {
+    &[("tri_fill", tri_fill), ("star_fill", star_fill)]
+}
+
 /// What only aquatint draws.
 pub fn alone<'m, C: Ink, L: Packed<C>>() -> &'m [Item<OnFrame<'m, C, L>>] {
     &[
-        ("star_fill", star_fill), //
+        ("star_fill", star_fill),
         ("flood", flood),
+        ("thick_line", |s| thick_line(&mut s.target)),
+        ("polyline", |s| polyline(&mut s.target)),
+        ("path_fill", |s| path_fill(&mut s.target)),
         ("dither_photo", dither_photo),
         ("grey_rect", grey_rect),
         // As embedded-graphics does it, on our frames.
@@ -73,6 +85,11 @@ fn line<S: Shapes>(surface: &mut S, ends: [(i32, i32); 2]) -> Result<(), S::Erro
 
 fn tri_fill<S: Shapes>(surface: &mut S) -> Result<(), S::Error> {
     surface.triangle(black_box([Point::new(12, 4), Point::new(98, 20), Point::new(45, 56)]), on())
+}
+
+/// The same sixteen times as large about its middle: all that is seen is inside.
+fn tri_fill_x16<S: Shapes>(surface: &mut S) -> Result<(), S::Error> {
+    surface.triangle(black_box([Point::new(-573, -326), Point::new(803, -70), Point::new(-45, 506)]), on())
 }
 
 /// Twenty characters.
@@ -110,8 +127,31 @@ const STAR: [(i32, i32); 12] = [
     (75, 24),
 ];
 
-fn star_fill<C: Ink, L: Layout<C>>(surface: &mut OnFrame<C, L>) -> Result<(), Infallible> {
-    fill(&black_box(STAR.map(|(x, y)| Point2::corner(x, y))), on(), &mut surface.target)
+fn star_fill<S: Polygons>(surface: &mut S) -> Result<(), S::Error> {
+    surface.polygon(&black_box(STAR.map(|(x, y)| Point::new(x, y))), on())
+}
+
+/// The shallow line, five pixels wide.
+fn thick_line<D: DrawTarget<Color: From<BinaryColor>>>(target: &mut D) -> Result<(), D::Error> {
+    let [start, end] = black_box([Point::new(7, 9), Point::new(106, 34)]);
+    Line::new(start, end).into_styled(StrokeStyle::new(on()).with_width(black_box(5))).draw(target)
+}
+
+/// A zigzag of four segments, three pixels wide, with round corners and ends.
+fn polyline<D: DrawTarget<Color: From<BinaryColor>>>(target: &mut D) -> Result<(), D::Error> {
+    let points = black_box([(8, 50), (32, 12), (60, 52), (84, 10), (118, 40)]).map(|(x, y)| Point2::corner(x, y));
+    let stroke = Stroke::new(3).with_join(Join::Round).with_cap(Cap::Round);
+    let Ok(polyline) = Polyline::new(&points) else { return Ok(()) };
+    polyline.into_styled(StrokeStyle::new(on()).with_stroke(stroke)).draw(target)
+}
+
+/// A heart of two cubic Béziers, 50 pixels high.
+fn path_fill<D: DrawTarget<Color: From<BinaryColor>>>(target: &mut D) -> Result<(), D::Error> {
+    let [tip, a, b, top, c, d] =
+        black_box([(64, 60), (14, 30), (40, -10), (64, 18), (88, -10), (114, 30)]).map(|(x, y)| Point2::corner(x, y));
+    let heart = [Segment::MoveTo(tip), Segment::CubicTo(a, b, top), Segment::CubicTo(c, d, tip), Segment::Close];
+    let Ok(heart) = Path::new(&heart) else { return Ok(()) };
+    heart.into_styled(FillStyle::new(on())).draw(target)
 }
 
 /// A U of walls, and the 2061 pixels between them filled from one of its arms.

@@ -58,7 +58,7 @@ impl ModelLamp {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{geometry::angle::Angle, num::Scalar};
+    use crate::{angle::Angle, num::Scalar};
 
     fn lamp(x: f32, y: f32, z: f32) -> Lamp {
         let [x, y, z] = [x, y, z].map(Scalar::from_num);

@@ -10,7 +10,10 @@
 //!   Model ─placement▶ World ─camera▶ View ─projection▶ Clip ─÷w▶ −1…1 ─viewport▶ pixels
 //! ```
 
-pub mod angle;
+/// [`Angle`](angle::Angle), which every stage may use.
+pub mod angle {
+    pub use crate::angle::Angle;
+}
 pub mod face;
 pub mod light;
 pub mod projection;

@@ -1,8 +1,8 @@
 //! Projection: the pyramid that the camera sees becomes the cube −w ≤ x, y, z ≤ w. Lecture 2.2.2.
 
 use crate::{
+    angle::Angle,
     error::describe,
-    geometry::angle::Angle,
     matrix::Matrix,
     num::{Scalar, divide_round, saturate_i32},
     space::{CLIP_LIMIT, Clip, LEAST_W, View},

@@ -1,8 +1,8 @@
 //! Vertex transforms: turning, moving, scaling, looking. Lecture 2.2.2.
 
 use crate::{
+    angle::Angle,
     error::OutOfRange,
-    geometry::angle::Angle,
     matrix::Matrix,
     num::{Scalar, divide_round, low_i32, saturate_i32},
     space::{CLIP_LIMIT, Clip, Model, Point3, Point4, Vector3, View, World},

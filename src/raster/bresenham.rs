@@ -30,11 +30,20 @@ use embedded_graphics::{
     geometry::{Dimensions, Point, Size},
     pixelcolor::PixelColor,
     primitives::{Primitive, Rectangle, StyledDimensions, StyledDrawable},
+    transform::Transform,
 };
 
-use crate::{num::saturate_u32, raster::axes::Axes, space::Rect, span::Sink, style::StrokeStyle, target::Paint};
+use crate::{
+    num::{Subpixel, saturate_u32},
+    raster::{axes::Axes, thick_line},
+    space::Rect,
+    span::Sink,
+    style::{Stroke, StrokeStyle},
+    target::Paint,
+};
 
-/// A line of single pixels, both ends included. Right for all coordinates.
+/// A line of single pixels, both ends included, or a [thick](super::thick_line) one between their centres. Right for all
+/// coordinates.
 ///
 /// ```
 /// use aquatint::{Line, StrokeStyle};
@@ -77,6 +86,20 @@ impl Line {
         let Some((walk, steps)) = Walk::of(self, window) else { return Ok(()) };
         if walk.axes.is_steep { walk.steep(steps, sink) } else { walk.flat(steps, sink) }
     }
+
+    /// Emits the pixels of a [thick line](super::thick_line) between the centres of the two pixels, from top to bottom, one
+    /// span a row. One pixel wide it is [`spans`](Self::spans), and has no caps.
+    ///
+    /// # Errors
+    /// What the sink says.
+    pub fn stroke_spans<S: Sink>(&self, stroke: Stroke, sink: &mut S) -> Result<(), S::Error> {
+        if is_thin(stroke) { self.spans(sink) } else { thick_line::spans(self, stroke, sink) }
+    }
+}
+
+/// One pixel wide.
+fn is_thin(stroke: Stroke) -> bool {
+    stroke.width == Subpixel::ONE
 }
 
 /// The line, standing on a pixel, and the error there.
@@ -199,6 +222,19 @@ impl Walk {
 
 impl Primitive for Line {}
 
+impl Transform for Line {
+    /// The same line elsewhere. Positions saturate.
+    fn translate(&self, by: Point) -> Self {
+        let moved = |end: Point| Point::new(end.x.saturating_add(by.x), end.y.saturating_add(by.y));
+        Self::new(moved(self.start), moved(self.end))
+    }
+
+    fn translate_mut(&mut self, by: Point) -> &mut Self {
+        *self = self.translate(by);
+        self
+    }
+}
+
 impl Dimensions for Line {
     fn bounding_box(&self) -> Rectangle {
         let (a, b) = (self.start, self.end);
@@ -208,8 +244,8 @@ impl Dimensions for Line {
 }
 
 impl<C: PixelColor> StyledDimensions<StrokeStyle<C>> for Line {
-    fn styled_bounding_box(&self, _style: &StrokeStyle<C>) -> Rectangle {
-        self.bounding_box()
+    fn styled_bounding_box(&self, style: &StrokeStyle<C>) -> Rectangle {
+        if is_thin(style.stroke) { self.bounding_box() } else { thick_line::bounding_box(self, style.stroke) }
     }
 }
 
@@ -218,6 +254,9 @@ impl<C: PixelColor> StyledDrawable<StrokeStyle<C>> for Line {
     type Output = ();
 
     fn draw_styled<D: DrawTarget<Color = C>>(&self, style: &StrokeStyle<C>, target: &mut D) -> Result<(), D::Error> {
+        if !is_thin(style.stroke) {
+            return thick_line::spans(self, style.stroke, &mut Paint::new(target, style.color));
+        }
         let bounds = Rect::from(target.bounding_box());
         if self.start.x == self.end.x || self.start.y == self.end.y {
             let visible = bounds.intersection(self.bounding_box().into());

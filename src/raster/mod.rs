@@ -1,11 +1,20 @@
 //! Rasterisation: which pixels. Lecture 4.
 //!
-//! - **Takes** lines between pixels, and polygons and triangles with corners on sixteenths of a
-//!   pixel.
+//! - **Takes** lines between pixels, whole-pixel circles and ellipses; polygons, paths, strokes and triangles
+//!   with points on sixteenths of a pixel.
 //! - **Gives** spans to a [`Sink`](crate::Sink), restricted to its bounds without moving a pixel.
-//! - **Memory** a list of active edges of the caller's for polygons; none for lines and triangles.
+//! - **Memory** a list of edges of the caller's for outlines; none for lines, circles and triangles.
 //! - **Cost** proportional to what is visible plus the number of edges, never to how large a
 //!   coordinate is.
+//!
+//! | from | to | by |
+//! |---|---|---|
+//! | two pixels | the line between them | [`bresenham`], [`dda`], with a pattern [`stipple`], as an area [`thick_line`] |
+//! | a square, a rectangle of pixels | what it holds | [`circle`], [`ellipse`] |
+//! | [`polygon`], [`path`], [`rounded_rectangle`], [`polyline`], arcs … | what they enclose | [`scan`] |
+//! | the same | what a pen along them covers | [`stroke`], then [`scan`] |
+//! | three corners with attributes | ramps | [`triangle`] |
+//! | a picture and a pixel of it | the region around it | [`flood`] |
 //!
 //! **The rule.** A pixel belongs to an area when its centre, at halves, is inside. A centre
 //! exactly on a left or top edge is inside, on a right or bottom edge outside. So areas that share
@@ -24,9 +33,20 @@
 
 mod axes;
 pub mod bresenham;
+pub mod circle;
+mod conic;
 pub mod dda;
+pub mod ellipse;
+mod filled;
 pub mod flood;
+pub mod path;
 pub mod polygon;
+pub mod polyline;
+mod round;
+pub mod rounded_rectangle;
 pub mod scan;
 pub mod stipple;
+pub mod stroke;
+pub mod thick_line;
+mod thin;
 pub mod triangle;

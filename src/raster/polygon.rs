@@ -7,23 +7,16 @@
 //!
 //! The machine is [`scan`](super::scan), for every kind of outline.
 
-use embedded_graphics::{
-    draw_target::DrawTarget,
-    geometry::Dimensions,
-    pixelcolor::PixelColor,
-    primitives::{Primitive, Rectangle, StyledDimensions, StyledDrawable},
-};
-use heapless::vec::{Vec, VecView};
+use heapless::vec::VecView;
 
 use crate::{
     edge::LIMIT,
     error::OutOfRange,
-    outline::{Outline, Pen, bounding_box},
+    outline::{Outline, Pen},
     raster::scan::{ActiveEdge, fill},
     space::Point2,
     span::Sink,
-    style::{FillStyle, Rule},
-    target::Paint,
+    style::Rule,
 };
 
 /// Closed contours of straight edges. The last vertex of each is joined to its first.
@@ -84,31 +77,5 @@ impl Outline for Polygon<'_> {
                 pen.close();
             }
         }
-    }
-}
-
-impl Primitive for Polygon<'_> {}
-
-impl Dimensions for Polygon<'_> {
-    /// The smallest rectangle of pixels that holds all corners of the polygon.
-    fn bounding_box(&self) -> Rectangle {
-        bounding_box(self)
-    }
-}
-
-impl<C: PixelColor> StyledDimensions<FillStyle<C>> for Polygon<'_> {
-    fn styled_bounding_box(&self, _style: &FillStyle<C>) -> Rectangle {
-        self.bounding_box()
-    }
-}
-
-impl<C: PixelColor> StyledDrawable<FillStyle<C>> for Polygon<'_> {
-    type Color = C;
-    type Output = ();
-
-    /// Lends the fill a list of 16 edges on the stack, 512 bytes.
-    fn draw_styled<D: DrawTarget<Color = C>>(&self, style: &FillStyle<C>, target: &mut D) -> Result<(), D::Error> {
-        let mut active = Vec::<ActiveEdge, 16>::new();
-        self.spans(style.rule, &mut active, &mut Paint::new(target, style.color))
     }
 }

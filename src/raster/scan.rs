@@ -22,6 +22,7 @@
 
 use core::ops::Range;
 
+use embedded_graphics::geometry::Point;
 use heapless::vec::VecView;
 
 use crate::{
@@ -96,6 +97,19 @@ pub fn peak_edges<O: Outline>(outline: &O) -> usize {
         peak = peak.max(active);
     });
     peak
+}
+
+/// Whether the centre of a pixel is inside of an outline: whether [`fill`] fills it. One trace, no memory.
+#[must_use]
+pub fn contains<O: Outline>(outline: &O, rule: Rule, pixel: Point) -> bool {
+    let mut winding = 0_i32;
+    each_edge(outline, |edge| {
+        let owns = (edge.first_row()..edge.end_row()).contains(&pixel.y);
+        if owns && Edge::new(edge.upper, edge.lower, pixel.y).column() <= pixel.x {
+            winding = winding.wrapping_add(edge.winding);
+        }
+    });
+    winding & rule.mask() != 0
 }
 
 /// The state between rows.
@@ -272,11 +286,7 @@ struct Crossings {
 impl Crossings {
     #[inline]
     const fn new(rule: Rule, bounds: Rect, row: i32) -> Self {
-        let mask = match rule {
-            Rule::NonZero => -1,
-            Rule::EvenOdd => 1,
-        };
-        Self { mask, bounds, row, winding: 0, from: i32::MIN, to: i32::MIN }
+        Self { mask: rule.mask(), bounds, row, winding: 0, from: i32::MIN, to: i32::MIN }
     }
 
     #[inline]

@@ -1,0 +1,186 @@
+//! Affine maps of the screen: outlines moved, turned, scaled and sheared.
+//!
+//! ```text
+//!   x' = xx·x + xy·y + x₀          ┌───┐          ╱╲
+//!   y' = yx·x + yy·y + y₀          │ F │   ──▶   ╱F  ╲
+//!                                  └───┘         ╲  ╱
+//! ```
+//!
+//! Elements are 16.16, places sixteenths of a pixel. A product is exact in 64 bits and rounded once, so a
+//! vertex that two outlines share is shared afterwards. What lands outside of ±134,217,727 pixels saturates.
+
+use embedded_graphics::{geometry::Point, transform::Transform};
+
+use crate::{
+    angle::Angle,
+    num::{Scalar, Subpixel, saturate_i32},
+    outline::{Outline, Pen},
+    space::Point2,
+};
+
+/// A map of the screen onto itself that keeps straight lines straight.
+///
+/// ```
+/// use aquatint::{Affine, Angle, Point2, Scalar};
+///
+/// // Twice as large, then a quarter turn about the corner of the screen, then 10 pixels to the right.
+/// let two = Scalar::from_num(2);
+/// let map = Affine::scale(two, two).then(Affine::turn(Angle::QUARTER)).then(Affine::translation(Point2::corner(10, 0)));
+/// // y grows downwards, so that turns are clockwise.
+/// assert_eq!(map.apply(Point2::corner(3, 1)), Point2::corner(8, 6));
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Affine {
+    /// What x and y give to the new x …
+    x: [Scalar; 2],
+    /// … and to the new y.
+    y: [Scalar; 2],
+    origin: Point2,
+}
+
+impl Affine {
+    /// Everything stays where it is.
+    pub const IDENTITY: Self =
+        Self::new([Scalar::ONE, Scalar::ZERO], [Scalar::ZERO, Scalar::ONE], Point2::corner(0, 0));
+
+    /// The map with `x' = x[0]·x + x[1]·y + origin.x`, `y' = y[0]·x + y[1]·y + origin.y`.
+    #[must_use]
+    pub const fn new(x: [Scalar; 2], y: [Scalar; 2], origin: Point2) -> Self {
+        Self { x, y, origin }
+    }
+
+    /// The corner of the screen goes to a point, and all else with it.
+    #[must_use]
+    pub const fn translation(to: Point2) -> Self {
+        Self { origin: to, ..Self::IDENTITY }
+    }
+
+    /// Larger or smaller along the axes, mirrored where negative; the corner of the screen stays.
+    #[must_use]
+    pub const fn scale(x: Scalar, y: Scalar) -> Self {
+        Self::new([x, Scalar::ZERO], [Scalar::ZERO, y], Point2::corner(0, 0))
+    }
+
+    /// Clockwise about the corner of the screen. Right to 9 · 10⁻⁵ of the distance from there.
+    #[must_use]
+    pub fn turn(angle: Angle) -> Self {
+        let (sin, cos) = (angle.sin(), angle.cos());
+        Self::new([cos, -sin], [sin, cos], Point2::corner(0, 0))
+    }
+
+    /// The same about another point than the corner of the screen.
+    #[must_use]
+    pub fn about(self, centre: Point2) -> Self {
+        let back = Point2::new(centre.x.saturating_neg(), centre.y.saturating_neg());
+        Self::translation(back).then(self).then(Self::translation(centre))
+    }
+
+    /// First this one, then another. Elements saturate and are rounded to 16.16, each time anew.
+    #[must_use]
+    pub fn then(self, next: Self) -> Self {
+        let element = |row: [Scalar; 2], column: usize| {
+            let [a, b] = [self.x, self.y].map(|of| of.get(column).copied().unwrap_or_default());
+            Scalar::from_bits(saturate_i32(combined(row, [a.to_bits(), b.to_bits()])))
+        };
+        Self::new(
+            [element(next.x, 0), element(next.x, 1)],
+            [element(next.y, 0), element(next.y, 1)],
+            next.apply(self.origin),
+        )
+    }
+
+    /// Where a point goes. Two 64-bit multiplications and one rounding a coordinate.
+    #[must_use]
+    pub fn apply(self, point: Point2) -> Point2 {
+        let [x, y] = [point.x.to_bits(), point.y.to_bits()];
+        let place = |row, origin: Subpixel| saturate_i32(combined(row, [x, y]).saturating_add(origin.to_bits().into()));
+        Point2::from_sixteenths(place(self.x, self.origin.x), place(self.y, self.origin.y))
+    }
+}
+
+/// `row[0]·of[0] + row[1]·of[1]`, to the nearest.
+fn combined([a, b]: [Scalar; 2], of: [i32; 2]) -> i64 {
+    let product = |factor: Scalar, of: i32| i64::from(factor.to_bits()) * i64::from(of);
+    // Each product is at most 2⁶²; two of these at the negative end are one too many.
+    product(a, of[0]).saturating_add(product(b, of[1])).saturating_add(1 << 15) >> 16
+}
+
+/// An outline that is mapped as it is traced.
+///
+/// The straight edges are mapped, not the curves they stand for: scaled up, their distance from the curve
+/// grows with them. Paths that are shown at many sizes are best made large.
+///
+/// ```
+/// use aquatint::{Affine, FillStyle, Placed, Point2, Polygon, Scalar};
+/// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::BinaryColor, prelude::*};
+///
+/// let corners = [(0, 0), (3, 0), (0, 3)].map(|(x, y)| Point2::corner(x, y));
+/// let contours = [&corners[..]];
+/// let mirrored = Affine::scale(-Scalar::ONE, Scalar::ONE).then(Affine::translation(Point2::corner(4, 0)));
+///
+/// let mut display = MockDisplay::new();
+/// let flag = Placed::new(Polygon::new(&contours).unwrap(), mirrored);
+/// flag.into_styled(FillStyle::new(BinaryColor::On)).draw(&mut display)?;
+/// display.assert_pattern(&[
+///     " ###",
+///     "  ##",
+///     "   #",
+/// ]);
+/// # Ok::<(), core::convert::Infallible>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Placed<O> {
+    outline: O,
+    map: Affine,
+}
+
+impl<O: Outline> Placed<O> {
+    /// An outline and where it goes.
+    pub const fn new(outline: O, map: Affine) -> Self {
+        Self { outline, map }
+    }
+
+    /// The same outline, mapped once more.
+    #[must_use]
+    pub fn then(self, next: Affine) -> Self {
+        Self { map: self.map.then(next), ..self }
+    }
+}
+
+impl<O: Outline> Outline for Placed<O> {
+    fn trace<P: Pen>(&self, pen: &mut P) {
+        self.outline.trace(&mut Mapped { pen, map: self.map });
+    }
+}
+
+impl<O: Outline + Clone> Transform for Placed<O> {
+    /// The same outline so many pixels to the right and down.
+    fn translate(&self, by: Point) -> Self {
+        self.clone().then(Affine::translation(Point2::corner(by.x, by.y)))
+    }
+
+    fn translate_mut(&mut self, by: Point) -> &mut Self {
+        self.map = self.map.then(Affine::translation(Point2::corner(by.x, by.y)));
+        self
+    }
+}
+
+/// Hands mapped points on.
+struct Mapped<'p, P> {
+    pen: &'p mut P,
+    map: Affine,
+}
+
+impl<P: Pen> Pen for Mapped<'_, P> {
+    fn move_to(&mut self, point: Point2) {
+        self.pen.move_to(self.map.apply(point));
+    }
+
+    fn line_to(&mut self, point: Point2) {
+        self.pen.line_to(self.map.apply(point));
+    }
+
+    fn close(&mut self) {
+        self.pen.close();
+    }
+}
