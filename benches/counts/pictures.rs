@@ -19,7 +19,7 @@ fn difference(item: &str) -> Difference {
         // aquatint fills the pixels whose centres are inside (the top-left rule, so that neighbours
         // share no pixel); embedded-graphics also draws the outline, in pixels half outside. The whole
         // picture has the same triangle in it.
-        "tri_fill" | "one_frame" => Difference::More,
+        "tri_fill" | "tri_fill_x16" | "one_frame" => Difference::More,
         _ => Difference::None,
     }
 }
