@@ -3,8 +3,8 @@
 use core::{convert::Infallible, hint::black_box};
 
 use aquatint::{
-    Cap, Code, Dithered, FillStyle, Flood, Frame, Join, Levels, Light, Line, Path, Point2, Polyline, Segment, Stroke,
-    StrokeStyle, Target,
+    Cap, Code, Dithered, FillStyle, Flood, Frame, Join, Levels, Light, Line, Path, Point2, Polyline, Rows, Segment,
+    Stroke, StrokeStyle, Target,
     display::{layout::Layout, transpose::Transpose},
     raster::flood::{Run, words_needed},
 };
@@ -44,8 +44,18 @@ pub fn both<'s, S: Shapes>() -> &'s [Item<S>] {
 }
 
 /// Polygons, which few of the peers draw.
+#[cfg(not(target_os = "none"))]
 pub fn polygons<'s, S: Polygons>() -> &'s [Item<S>] {
     &[("tri_fill", tri_fill), ("star_fill", star_fill)]
+}
+
+/// Strokes and curves, which cost on every panel what they cost on rows.
+pub fn outlines<'m>() -> &'m [Item<OnFrame<'m, BinaryColor, Rows>>] {
+    &[
+        ("thick_line", |s| thick_line(&mut s.target)),
+        ("polyline", |s| polyline(&mut s.target)),
+        ("path_fill", |s| path_fill(&mut s.target)),
+    ]
 }
 
 /// What only aquatint draws.
@@ -53,9 +63,6 @@ pub fn alone<'m, C: Ink, L: Packed<C>>() -> &'m [Item<OnFrame<'m, C, L>>] {
     &[
         ("star_fill", star_fill),
         ("flood", flood),
-        ("thick_line", |s| thick_line(&mut s.target)),
-        ("polyline", |s| polyline(&mut s.target)),
-        ("path_fill", |s| path_fill(&mut s.target)),
         ("dither_photo", dither_photo),
         ("grey_rect", grey_rect),
         // As embedded-graphics does it, on our frames.
