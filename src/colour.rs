@@ -4,6 +4,15 @@
 //! 128 of 255 stands for 22 % of the light. Whatever is computed on codes comes out wrong. So the
 //! crate decodes once, computes in linear light to the very end, and turns light into what the
 //! panel shows in the last step.
+//!
+//! ```text
+//!   code 0…255 ── from_srgb ──▶ light 0…65535 ──▶ add, shade, blend, filter ── to_srgb ──▶ code 0…255
+//! ```
+//!
+//! Both ways are tables (512 bytes of flash each, only if used), computed with exact arithmetic.
+//! Other curves are in [`tone::gamma`](crate::tone::gamma).
+
+use crate::num::{high_u16, low_u8};
 
 /// An amount of light, linear: 0 is the panel's black, 65535 its white.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
@@ -28,7 +37,56 @@ impl Light {
         let weighed = Self::from_srgb(red).0 as u32 * 13_933
             + Self::from_srgb(green).0 as u32 * 46_871
             + Self::from_srgb(blue).0 as u32 * 4_732;
-        Self(crate::num::high_u16(weighed + 0x8000))
+        Self(high_u16(weighed + 0x8000))
+    }
+
+    /// The sRGB code of this light: the exact code, rounded to the nearest, for each of the 65,536 lights.
+    ///
+    /// Every code survives `from_srgb` and `to_srgb`. Eight comparisons, no division.
+    ///
+    /// ```
+    /// use aquatint::Light;
+    ///
+    /// // The mean of black and white is code 188, not 128.
+    /// assert_eq!(Light(u16::MAX / 2).to_srgb(), 188);
+    /// assert_eq!(Light::from_srgb(188).to_srgb(), 188);
+    /// ```
+    #[must_use]
+    pub const fn to_srgb(self) -> u8 {
+        self.code_in(&FIRST_LIGHT_OF_SRGB)
+    }
+
+    /// A code taken for an amount of light, as most libraries do it. **Naive**: it is right only where the
+    /// numbers are amounts of light already, as coverage is, or for a panel of gamma 1.
+    ///
+    /// ```
+    /// # use aquatint::Light;
+    /// assert_eq!(Light::naive_from_code(128), Light(0x8080)); // half, where an sRGB picture means 22 %
+    /// assert_eq!(Light::naive_from_code(128).to_naive_code(), 128);
+    /// ```
+    #[must_use]
+    pub const fn naive_from_code(code: u8) -> Self {
+        Self(code as u16 * 257)
+    }
+
+    /// The nearest code of a panel whose codes are equal steps of light. **Naive** for any other.
+    #[must_use]
+    pub const fn to_naive_code(self) -> u8 {
+        // light / 257, rounded: exact for all 65,536 lights.
+        low_u8((self.0 as u32 * 255 + 32_895) >> 16)
+    }
+
+    /// The last code that begins at this light or below, by a binary search; `first` does not fall.
+    pub(crate) const fn code_in(self, first: &[u16; 256]) -> u8 {
+        let (mut code, mut bit) = (0, 0x80_u8);
+        while bit > 0 {
+            // An index of eight bits into 256 entries: no test of bounds.
+            if self.0 >= first[(code | bit) as usize] {
+                code |= bit;
+            }
+            bit >>= 1;
+        }
+        code
     }
 }
 
@@ -57,6 +115,33 @@ static SRGB_TO_LIGHT: [u16; 256] = [
     50_844, 51_349, 51_858, 52_369, 52_884, 53_401, 53_921, 54_445, 54_971, 55_500, 56_032, 56_567,
     57_105, 57_646, 58_190, 58_737, 59_287, 59_840, 60_396, 60_955, 61_517, 62_082, 62_650, 63_221,
     63_795, 64_372, 64_952, 65_535,
+];
+
+/// The sRGB encoding curve: the least light of each code, where the exact code is at least `code - ½`.
+#[rustfmt::skip]
+static FIRST_LIGHT_OF_SRGB: [u16; 256] = [
+    0, 10, 30, 50, 70, 90, 110, 130, 150, 170, 189, 209,
+    230, 253, 276, 301, 327, 354, 382, 412, 443, 475, 509, 544,
+    580, 618, 657, 698, 740, 783, 828, 875, 923, 972, 1023, 1075,
+    1129, 1185, 1242, 1300, 1360, 1422, 1486, 1551, 1617, 1685, 1755, 1827,
+    1900, 1975, 2052, 2130, 2210, 2292, 2376, 2461, 2548, 2637, 2727, 2820,
+    2914, 3010, 3108, 3208, 3309, 3412, 3518, 3625, 3734, 3844, 3957, 4072,
+    4188, 4307, 4427, 4550, 4674, 4800, 4928, 5059, 5191, 5325, 5461, 5599,
+    5740, 5882, 6026, 6173, 6321, 6471, 6624, 6778, 6935, 7094, 7255, 7418,
+    7583, 7750, 7919, 8091, 8265, 8440, 8618, 8798, 8981, 9165, 9352, 9541,
+    9732, 9925, 10_121, 10_318, 10_518, 10_720, 10_925, 11_132, 11_341, 11_552, 11_765, 11_981,
+    12_199, 12_420, 12_643, 12_868, 13_095, 13_325, 13_557, 13_791, 14_028, 14_267, 14_508, 14_752,
+    14_998, 15_247, 15_498, 15_751, 16_007, 16_265, 16_525, 16_788, 17_054, 17_321, 17_592, 17_864,
+    18_139, 18_417, 18_697, 18_980, 19_264, 19_552, 19_842, 20_134, 20_429, 20_727, 21_027, 21_329,
+    21_634, 21_942, 22_252, 22_564, 22_880, 23_197, 23_518, 23_840, 24_166, 24_494, 24_824, 25_158,
+    25_493, 25_832, 26_173, 26_516, 26_862, 27_211, 27_563, 27_917, 28_273, 28_633, 28_995, 29_359,
+    29_727, 30_097, 30_469, 30_845, 31_223, 31_603, 31_987, 32_373, 32_762, 33_153, 33_547, 33_944,
+    34_344, 34_747, 35_152, 35_560, 35_970, 36_384, 36_800, 37_219, 37_640, 38_065, 38_492, 38_922,
+    39_355, 39_790, 40_229, 40_670, 41_114, 41_561, 42_011, 42_463, 42_918, 43_377, 43_838, 44_301,
+    44_768, 45_238, 45_710, 46_185, 46_663, 47_144, 47_628, 48_115, 48_605, 49_097, 49_593, 50_091,
+    50_592, 51_096, 51_604, 52_114, 52_627, 53_142, 53_661, 54_183, 54_708, 55_235, 55_766, 56_300,
+    56_836, 57_376, 57_918, 58_464, 59_012, 59_564, 60_118, 60_675, 61_236, 61_799, 62_366, 62_935,
+    63_508, 64_083, 64_662, 65_244,
 ];
 
 #[cfg(test)]

@@ -21,6 +21,7 @@
 //! | [`raster`] | lines, outlines, strokes, triangles | spans |
 //! | [`hidden`] | fragments with depth | the nearest |
 //! | [`fragment`] | spans | colours: patterns, pictures, gradients |
+//! | [`tone`] | colours of any system | light, corrected colours |
 //! | [`display`] | light or colours | packed bytes |
 //!
 //! Modules in the root are *words*, which every stage may use; stages never use each other. Only
@@ -77,6 +78,7 @@ pub mod hidden;
 pub mod model;
 pub mod pipeline;
 pub mod raster;
+pub mod tone;
 
 pub use affine::{Affine, Placed};
 pub use angle::Angle;
@@ -131,6 +133,15 @@ pub use space::{
 pub use span::{Sink, SpanFn};
 pub use style::{Cap, FillStyle, Join, Rule, Stroke, StrokeStyle};
 pub use target::{Brush, Code, Ink, OnDrawTarget, Target};
+pub use tone::{
+    colour_matrix::ColourMatrix,
+    gamma::Gamma,
+    hls::Hls,
+    hsv::Hsv,
+    panel::PanelRange,
+    xyz::{Chromaticity, Gamut, Xyz},
+    ycbcr::YCbCr,
+};
 
 /// Compiles what the README shows.
 #[cfg(doctest)]

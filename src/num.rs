@@ -151,3 +151,23 @@ pub(crate) const fn low_u16(value: i32) -> u16 {
 pub(crate) const fn low_index(value: usize) -> u32 {
     value as u32
 }
+
+/// The nearest `i16`.
+#[inline]
+#[expect(clippy::cast_possible_truncation, reason = "in range after the tests")]
+pub(crate) const fn saturate_i16(value: i64) -> i16 {
+    if value > i16::MAX as i64 {
+        i16::MAX
+    } else if value < i16::MIN as i64 {
+        i16::MIN
+    } else {
+        value as i16
+    }
+}
+
+/// The product of two numbers with 60 fraction bits, rounded down: for tables that the compiler builds.
+/// Modulo 16, where it would be that large.
+#[expect(clippy::cast_possible_truncation, reason = "modulo 2^64 by intent")]
+pub(crate) const fn multiply_60(a: u64, b: u64) -> u64 {
+    ((a as u128 * b as u128) >> 60) as u64
+}

@@ -24,7 +24,7 @@ const WORDS: [(&str, &[&str]); 18] = [
     ("runs", &["space", "target"]),
 ];
 /// Folders; each may use every word.
-const STAGES: [&str; 7] = ["model", "geometry", "clip", "raster", "hidden", "fragment", "display"];
+const STAGES: [&str; 8] = ["model", "geometry", "clip", "raster", "hidden", "fragment", "tone", "display"];
 /// The two files that join the stages.
 const ABOVE_ALL: [&str; 2] = ["pipeline", "lib"];
 
