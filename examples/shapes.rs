@@ -89,7 +89,7 @@ fn dashes(screen: &mut Screen) -> Result<(), Infallible> {
     dashed.into_styled(StrokeStyle::new(BinaryColor::On).with_stroke(stroke)).draw(screen)?;
     for (row, pattern) in (4..).step_by(5).zip([0xAAAA, 0xCCCC, 0xF0F0, 0xFF18, 0xFF66]) {
         let line = Line::new(Point::new(210, row), Point::new(250, row + 6));
-        Stipple::new(pattern).spans(&line, &mut Brush::new(screen, BinaryColor::On))?;
+        Stipple::new(pattern).along(line).into_styled(StrokeStyle::new(BinaryColor::On)).draw(screen)?;
     }
     Ok(())
 }

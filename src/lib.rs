@@ -122,7 +122,7 @@ pub use raster::{
     polygon::Polygon,
     polyline::Polyline,
     rounded_rectangle::RoundedRectangle,
-    stipple::Stipple,
+    stipple::{Stipple, StippledLine},
     stroke::{Stroked, dash::Dashed},
     triangle::Triangle,
 };

@@ -90,7 +90,7 @@ proptest! {
     ) {
         let pixels = drawn(window, |pixels| {
             let mut sink = SpanFn::new(window, |row, columns, ()| pixels.add(row, columns));
-            let Ok(()) = Stipple::new(pattern).times(times).spans(&Line::new(a, b), &mut sink);
+            let Ok(()) = Stipple::new(pattern).times(times).along(Line::new(a, b)).spans(&mut sink);
         });
         prop_assert_eq!(pixels, stippled_slowly((a, b), window, (pattern, times)));
     }
@@ -114,7 +114,7 @@ fn stipples() {
     let mut draw = |ends: [(i32, i32); 2], stipple: Stipple| {
         let [start, end] = ends.map(|(x, y)| Point::new(x, y));
         let mut sink = SpanFn::new(window, |row, columns, ()| pixels.add(row, columns));
-        let Ok(()) = stipple.spans(&Line::new(start, end), &mut sink);
+        let Ok(()) = stipple.along(Line::new(start, end)).spans(&mut sink);
     };
     draw([(0, 0), (23, 0)], Stipple::new(0b1111_0011_0000_1100));
     draw([(23, 1), (0, 1)], Stipple::new(0b1111_0011_0000_1100));

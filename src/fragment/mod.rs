@@ -3,8 +3,8 @@
 //! - **Takes** spans of pixels.
 //! - **Gives** colours, or light for a [`Dithered`](crate::Dithered) target.
 //! - **Memory** none beyond the pattern or the picture that is lent.
-//! - **Cost** a run of a [pattern](pattern) whose width divides 8 costs about what a plain run costs; a
-//!   [gradient](gradient) some additions a pixel; a [picture](picture) a read a pixel.
+//! - **Cost** a run of a [pattern] whose width divides 8 costs about what a plain run costs; a
+//!   [gradient] some additions a pixel; a [picture] a read a pixel.
 //!
 //! Everything here is an [`Ink`](crate::Ink), so it fills any shape: `polygon.spans(…, &mut
 //! Brush::new(target, ink))`, or as a [`FillStyle`](crate::FillStyle). An ink begins at its *anchor*: the

@@ -10,7 +10,7 @@
 //!                              · # # # # ·
 //! ```
 //!
-//! The machine is [`conic`](super::conic). For circles with centres and radii on sixteenths of a pixel see
+//! The machine is `conic.rs`. For circles with centres and radii on sixteenths of a pixel see
 //! [`Oval`](crate::Oval).
 
 use embedded_graphics::{

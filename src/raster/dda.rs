@@ -16,13 +16,23 @@
 
 use core::ops::Range;
 
-use embedded_graphics::geometry::Point;
+use embedded_graphics::{
+    draw_target::DrawTarget,
+    geometry::{Dimensions, Point},
+    pixelcolor::PixelColor,
+    primitives::{Primitive, Rectangle, StyledDimensions, StyledDrawable},
+};
 
 use crate::{
     num::{low_u32, saturate_u32},
-    raster::axes::{Axes, emit_runs},
+    raster::{
+        axes::{Axes, emit_runs},
+        bresenham::Line,
+    },
     space::Rect,
     span::Sink,
+    style::StrokeStyle,
+    target::Paint,
 };
 
 /// A line between two pixels, both included. Right for all coordinates.
@@ -126,5 +136,30 @@ impl Walk {
             }
             point
         })
+    }
+}
+
+impl Primitive for DdaLine {}
+
+impl Dimensions for DdaLine {
+    /// That of the two ends.
+    fn bounding_box(&self) -> Rectangle {
+        Line::new(self.start, self.end).bounding_box()
+    }
+}
+
+impl<C: PixelColor> StyledDimensions<StrokeStyle<C>> for DdaLine {
+    fn styled_bounding_box(&self, _style: &StrokeStyle<C>) -> Rectangle {
+        self.bounding_box()
+    }
+}
+
+impl<C: PixelColor> StyledDrawable<StrokeStyle<C>> for DdaLine {
+    type Color = C;
+    type Output = ();
+
+    /// One pixel wide, whatever the width of the stroke.
+    fn draw_styled<D: DrawTarget<Color = C>>(&self, style: &StrokeStyle<C>, target: &mut D) -> Result<(), D::Error> {
+        self.spans(&mut Paint::new(target, style.color))
     }
 }

@@ -13,7 +13,7 @@
 //! pixel. There embedded-graphics 0.8 stops and draws nothing; here the rows below it are drawn, those pixels
 //! which the `contains` of both says to be inside.
 //!
-//! The machine is [`conic`](super::conic). For ellipses with centres and radii on sixteenths of a pixel see
+//! The machine is `conic.rs`. For ellipses with centres and radii on sixteenths of a pixel see
 //! [`Oval`](crate::Oval).
 
 use embedded_graphics::{

@@ -8,6 +8,13 @@
 //! The pattern begins at the start of the line, seen or not: clipping, bands and windows do not move it.
 //! The pixels are those of [Bresenham's line](super::bresenham).
 
+use embedded_graphics::{
+    draw_target::DrawTarget,
+    geometry::Dimensions,
+    pixelcolor::PixelColor,
+    primitives::{Primitive, Rectangle, StyledDimensions, StyledDrawable},
+};
+
 use crate::{
     num::saturate_u32,
     raster::{
@@ -15,18 +22,26 @@ use crate::{
         bresenham::{Line, Walk},
     },
     span::Sink,
+    style::StrokeStyle,
+    target::Paint,
 };
 
 /// Sixteen bits along a line: the highest is for its first pixels.
 ///
 /// ```
-/// use aquatint::{Brush, Frame, Line, Rows, Stipple};
-/// use embedded_graphics::{geometry::Point, pixelcolor::BinaryColor};
+/// use aquatint::{Line, Stipple, StrokeStyle};
+/// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::BinaryColor, prelude::*};
 ///
-/// let mut frame = Frame::<BinaryColor, Rows, _>::with_array([0; 2], 16, 1).unwrap();
-/// let line = Line::new(Point::new(0, 0), Point::new(15, 0));
-/// Stipple::new(0b1100_1100_1100_1100).times(2).spans(&line, &mut Brush::new(&mut frame, BinaryColor::On))?;
-/// assert_eq!(frame.bytes(), [0b1111_0000, 0b1111_0000]);
+/// let line = Line::new(Point::new(0, 0), Point::new(15, 3));
+/// let dashes = Stipple::new(0b1100_1100_1100_1100).times(2).along(line);
+///
+/// let mut display = MockDisplay::new();
+/// dashes.into_styled(StrokeStyle::new(BinaryColor::On)).draw(&mut display)?;
+/// display.assert_pattern(&[
+///     "###             ",
+///     "   #            ",
+///     "        ####    ",
+/// ]);
 /// # Ok::<(), core::convert::Infallible>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -48,21 +63,35 @@ impl Stipple {
         Self { times: if times == 0 { 1 } else { times }, ..self }
     }
 
-    /// Emits those pixels of a line that lie inside the bounds of `sink` and whose bit is set, neighbours in
-    /// a row as one span.
+    /// The pattern along a line.
+    #[must_use]
+    pub const fn along(self, line: Line) -> StippledLine {
+        StippledLine { line, stipple: self }
+    }
+}
+
+/// A line of single pixels, of which a pattern says which are drawn. Right for all coordinates.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct StippledLine {
+    line: Line,
+    stipple: Stipple,
+}
+
+impl StippledLine {
+    /// Emits those pixels inside the bounds of `sink` whose bit is set, neighbours in a row as one span.
     ///
     /// Spans come along the line or against it, so their rows may run upwards. Costs one 32-bit division
     /// more than the line, and some additions a pixel.
     ///
     /// # Errors
     /// What the sink says.
-    pub fn spans<S: Sink>(&self, line: &Line, sink: &mut S) -> Result<(), S::Error> {
-        let Some((walk, steps)) = Walk::of(line, sink.bounds()) else { return Ok(()) };
+    pub fn spans<S: Sink>(&self, sink: &mut S) -> Result<(), S::Error> {
+        let Some((walk, steps)) = Walk::of(&self.line, sink.bounds()) else { return Ok(()) };
         // Steps count from the end that comes first on the driving axis.
-        let (axes, first) = (Axes::new(line.start, line.end), saturate_u32(steps.start));
-        let is_reversed = axes.point() != line.start;
+        let (axes, first) = (Axes::new(self.line.start, self.line.end), saturate_u32(steps.start));
+        let is_reversed = axes.point() != self.line.start;
         let from_start = if is_reversed { axes.along.saturating_sub(first) } else { first };
-        let mut phase = Phase::at(*self, from_start);
+        let mut phase = Phase::at(self.stipple, from_start);
         let visible = walk.points(steps).filter(|_| {
             let is_on = phase.is_on();
             if is_reversed {
@@ -73,6 +102,31 @@ impl Stipple {
             is_on
         });
         emit_runs(visible, sink)
+    }
+}
+
+impl Primitive for StippledLine {}
+
+impl Dimensions for StippledLine {
+    /// That of the whole line.
+    fn bounding_box(&self) -> Rectangle {
+        self.line.bounding_box()
+    }
+}
+
+impl<C: PixelColor> StyledDimensions<StrokeStyle<C>> for StippledLine {
+    fn styled_bounding_box(&self, _style: &StrokeStyle<C>) -> Rectangle {
+        self.bounding_box()
+    }
+}
+
+impl<C: PixelColor> StyledDrawable<StrokeStyle<C>> for StippledLine {
+    type Color = C;
+    type Output = ();
+
+    /// One pixel wide, whatever the width of the stroke.
+    fn draw_styled<D: DrawTarget<Color = C>>(&self, style: &StrokeStyle<C>, target: &mut D) -> Result<(), D::Error> {
+        self.spans(&mut Paint::new(target, style.color))
     }
 }
 
