@@ -3,7 +3,7 @@
 //! The desk counts with callgrind and compares the pixels (`cargo bench`), the firmware counts on
 //! emulated cores (`examples/mcu_bench.rs`, run by `.ci/firmware bench`); both walk these lists.
 //! To add an item, write a function and name it in `both` (drawn by the peers too) or `alone`. To
-//! add another kind of scene, or other peers, write a function like [`panel`] and call it in [`all`].
+//! add another kind of scene, or other peers, write a function like [`panel`] and call it in one of the parts.
 
 mod bands;
 mod ours;
@@ -19,7 +19,7 @@ use embedded_graphics::{
     framebuffer::{Framebuffer, buffer_size},
     pixelcolor::{
         BinaryColor, Gray4,
-        raw::{BigEndian, RawU1},
+        raw::{BigEndian, RawU1, RawU4},
     },
 };
 
@@ -67,22 +67,34 @@ pub fn darken<S: Shapes>(surface: &mut S) -> Result<(), S::Error> {
 }
 
 /// Shows everything that is measured to `visitor`.
+#[cfg(not(target_os = "none"))]
 pub fn all(memory: &mut [u8; MEMORY], visitor: &mut impl Visitor) {
-    // embedded-graphics has no buffer of vertical bytes; this driver has its own.
+    pages(memory, visitor);
+    rows(memory, visitor);
+    grey(memory, visitor);
+    single(memory, visitor);
+    desk(visitor);
+}
+
+/// What is measured on pages. The parts are apart because the board of the firmware has not enough flash for all.
+pub fn pages(memory: &mut [u8; MEMORY], visitor: &mut impl Visitor) {
     panel::<BinaryColor, Pages>("v128", (128, 64), memory, visitor);
+    // embedded-graphics has no buffer of vertical bytes; this driver has its own.
     peer("v128", "ssd1306", peers::ssd1306, visitor);
+}
+
+/// What is measured on rows of one bit a pixel, narrow and wide.
+pub fn rows(memory: &mut [u8; MEMORY], visitor: &mut impl Visitor) {
     panel::<BinaryColor, Rows>("h128", (128, 64), memory, visitor);
     peer("h128", EMBEDDED_GRAPHICS, OneBit::<128, 64, { buffer_size::<BinaryColor>(128, 64) }>::new, visitor);
     panel::<BinaryColor, Rows>("h400", (400, 240), memory, visitor);
-    // The board of the firmware has not enough flash for all peers.
-    #[cfg(not(target_os = "none"))]
     peer("h400", EMBEDDED_GRAPHICS, OneBit::<400, 240, { buffer_size::<BinaryColor>(400, 240) }>::new, visitor);
+}
+
+/// What is measured on rows of four bits a pixel.
+pub fn grey(memory: &mut [u8; MEMORY], visitor: &mut impl Visitor) {
     panel::<Gray4, Rows>("g256", (256, 64), memory, visitor);
-    #[cfg(not(target_os = "none"))]
     peer("g256", EMBEDDED_GRAPHICS, FourBits::<256, 64, { buffer_size::<Gray4>(256, 64) }>::new, visitor);
-    #[cfg(not(target_os = "none"))]
-    desk(visitor);
-    on_rows(memory, visitor);
 }
 
 /// Shows what a peer can that runs on the desk only.
@@ -94,25 +106,20 @@ fn desk(visitor: &mut impl Visitor) {
     }
 }
 
-/// Shows what is done to bytes, not to a surface, and what one panel is enough for.
-#[inline(never)]
-fn on_rows(memory: &mut [u8; MEMORY], visitor: &mut impl Visitor) {
+/// What is done to bytes, not to a surface, and what one panel is enough for.
+pub fn single(memory: &mut [u8; MEMORY], visitor: &mut impl Visitor) {
     let (Some(sheet), Ok(target)) = (ours::load(), Frame::<BinaryColor, Rows, _>::new(&mut memory[..], 128, 64)) else {
         return;
     };
     let mut frame = Ours { target, sheet: &sheet };
     visitor.visit(Label { item: "transpose", panel: "h128", who: OURS }, &mut frame, scene::transpose);
-    #[cfg(target_os = "none")]
-    bands::<BinaryColor, Rows>(("h128", 128, 64), &mut [0; MEMORY], &sheet, visitor);
     for &(item, draw) in scene::outlines() {
         visitor.visit(Label { item, panel: "h128", who: OURS }, &mut frame, draw);
     }
 }
 
 type OneBit<const W: usize, const H: usize, const N: usize> = Framebuffer<BinaryColor, RawU1, BigEndian, W, H, N>;
-#[cfg(not(target_os = "none"))]
-type FourBits<const W: usize, const H: usize, const N: usize> =
-    Framebuffer<Gray4, embedded_graphics::pixelcolor::raw::RawU4, BigEndian, W, H, N>;
+type FourBits<const W: usize, const H: usize, const N: usize> = Framebuffer<Gray4, RawU4, BigEndian, W, H, N>;
 
 /// Shows all items as aquatint draws them on one panel.
 #[inline(never)]
@@ -129,20 +136,8 @@ where
     for &(item, draw) in scene::both().iter().chain(scene::alone()) {
         visitor.visit(Label { item, panel: name, who: OURS }, &mut frame, draw);
     }
-    // The board of the firmware has not enough flash for all of it.
-    #[cfg(not(target_os = "none"))]
-    bands::<C, L>((name, width, height), memory, &sheet, visitor);
-}
-
-/// Shows the one picture that is drawn in bands.
-fn bands<C: Ink, L: Packed<C>>(
-    (panel, width, height): (&'static str, u32, u32),
-    memory: &mut [u8; MEMORY],
-    sheet: &ours::Sheet<L>,
-    visitor: &mut impl Visitor,
-) {
-    let mut bands = Bands::<C, L>::new(memory, (width, height), sheet);
-    visitor.visit(Label { item: "eight_bands", panel, who: OURS }, &mut bands, Bands::draw);
+    let mut bands = Bands::<C, L>::new(memory, (width, height), &sheet);
+    visitor.visit(Label { item: "eight_bands", panel: name, who: OURS }, &mut bands, Bands::draw);
 }
 
 /// Shows the items that a peer can draw, on a surface of its own.
