@@ -60,6 +60,7 @@ mod edge;
 mod error;
 mod matrix;
 mod num;
+mod on_draw_target;
 mod outcode;
 mod outline;
 mod palette;
@@ -92,12 +93,19 @@ pub use colour::Light;
 pub use curve::Flatten;
 pub use display::{
     blit::{Blit, Part, RasterOp},
+    diffuse::{AlongCurve, Diffusion, Hilbert},
     dirty::{Changed, Dirty, DirtyWindow, Grain, Tracked},
-    dither::Dithered,
+    dither::{
+        BAYER_2X2, BAYER_4X4, BAYER_8X8, BAYER_16X16, BLUE_NOISE_16, BLUE_NOISE_64, CodeMask, Dithered,
+        DitheredDrawTarget, FrameRateControl, IntoLight, R2Noise, RankMask,
+    },
     font::GlyphSheet,
     frame::{Frame, Spacing, TooSmall},
+    halftone::DotGain,
     layout::{Columns, Inverted, LsbFirst, MsbFirst, Pages, Planes, Rows, Words},
     level::Levels,
+    palette::{ChannelLevels, InkMix, Palette},
+    scale::Scaler,
     turned::{Turn, Turned},
     window::Window,
 };
@@ -109,9 +117,10 @@ pub use fragment::{
 };
 pub use matrix::Matrix;
 pub use num::{Scalar, Subpixel};
+pub use on_draw_target::OnDrawTarget;
 pub use outcode::Outcode;
 pub use outline::{Outline, Pen, pixel_bounds};
-pub use palette::{Rgb332, ThreeColor};
+pub use palette::{FourColor, Rgb332, SevenColor, SixColor, ThreeColor};
 pub use raster::{
     bresenham::Line,
     circle::Circle,
@@ -132,7 +141,8 @@ pub use space::{
 };
 pub use span::{Sink, SpanFn};
 pub use style::{Cap, FillStyle, Join, Rule, Stroke, StrokeStyle};
-pub use target::{Brush, Code, Ink, OnDrawTarget, Target};
+pub use target::{Brush, Code, Ink, Target};
+
 pub use tone::{
     colour_matrix::ColourMatrix,
     gamma::Gamma,

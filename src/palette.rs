@@ -2,7 +2,7 @@
 
 use embedded_graphics::pixelcolor::{
     BinaryColor, PixelColor, Rgb565, Rgb888, RgbColor,
-    raw::{RawData, RawU2, RawU8},
+    raw::{RawData, RawU2, RawU4, RawU8},
 };
 
 /// Eight bits a pixel: three of red, three of green, two of blue.
@@ -169,6 +169,65 @@ impl From<BinaryColor> for ThreeColor {
     fn from(color: BinaryColor) -> Self {
         if color.is_on() { Self::Black } else { Self::White }
     }
+}
+
+/// A colour of electronic paper with several inks, by the codes of its controller.
+macro_rules! inks {
+    ($(#[$doc:meta])* $name:ident($raw:ident) { $($ink:ident = $code:literal),* }) => {
+        $(#[$doc])*
+        #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+        pub enum $name {
+            $(
+                #[doc = concat!("Code ", $code, ".")]
+                $ink = $code,
+            )*
+            /// The paper, code 1.
+            #[default]
+            White = 1,
+        }
+
+        impl PixelColor for $name {
+            type Raw = $raw;
+        }
+
+        impl From<$raw> for $name {
+            /// Codes that the controller does not have are white.
+            fn from(code: $raw) -> Self {
+                match code.into_inner() {
+                    $($code => Self::$ink,)*
+                    _ => Self::White,
+                }
+            }
+        }
+
+        impl From<$name> for $raw {
+            fn from(color: $name) -> Self {
+                Self::new(color as u8)
+            }
+        }
+
+        impl From<BinaryColor> for $name {
+            /// On is ink, as drawings and texts of one bit mean it on paper.
+            fn from(color: BinaryColor) -> Self {
+                if color.is_on() { Self::Black } else { Self::White }
+            }
+        }
+    };
+}
+
+inks! {
+    /// Electronic paper of four colours, two bits a pixel, as JD79660 and its kin take them.
+    FourColor(RawU2) { Black = 0, Yellow = 2, Red = 3 }
+}
+
+inks! {
+    /// Electronic paper of six colours (Spectra 6, E6), four bits a pixel.
+    SixColor(RawU4) { Black = 0, Yellow = 2, Red = 3, Blue = 5, Green = 6 }
+}
+
+inks! {
+    /// Electronic paper of seven colours (`ACeP`, Gallery), four bits a pixel.
+    SevenColor(RawU4) { Black = 0, Green = 2, Blue = 3, Red = 4, Yellow = 5, Orange = 6 }
 }
 
 #[cfg(test)]

@@ -27,10 +27,7 @@ use embedded_graphics::{
     primitives::Rectangle,
 };
 
-use crate::{
-    space::Rect,
-    target::{OnDrawTarget, Target},
-};
+use crate::{on_draw_target::OnDrawTarget, space::Rect, target::Target};
 
 /// The leftmost of 32 pixels.
 pub(crate) const FIRST: u32 = 1 << 31;

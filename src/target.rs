@@ -2,10 +2,16 @@
 //!
 //! They mirror `fill_solid` and `fill_contiguous` of embedded-graphics, a row at a time: *fill a
 //! run with an ink* and *write a run of colours*. A packed [`Frame`](crate::Frame) does both a byte
-//! at a time; [`OnDrawTarget`] lends them to any display driver.
+//! at a time; [`OnDrawTarget`](crate::OnDrawTarget) lends them to any display driver.
 
 use core::ops::Range;
 
+use crate::{
+    colour::Light,
+    num::{count, count_i32, index},
+    space::Rect,
+    span::Sink,
+};
 use embedded_graphics::{
     draw_target::DrawTarget,
     geometry::{Point, Size},
@@ -14,14 +20,6 @@ use embedded_graphics::{
         raw::{RawData, RawU1, RawU2, RawU4, RawU8},
     },
     primitives::Rectangle,
-};
-use heapless::Vec;
-
-use crate::{
-    colour::Light,
-    num::{count, count_i32, index},
-    space::Rect,
-    span::Sink,
 };
 
 /// Takes runs of colours.
@@ -60,6 +58,21 @@ pub trait Target {
         columns: Range<i32>,
         colors: impl Iterator<Item = Option<Self::Color>>,
     ) -> Result<(), Self::Error>;
+
+    /// Gives the pixels of an area colours that repeat every eight columns and eight rows, counted on the screen:
+    /// the pixel (x, y) that of `tile[y & 7][x & 7]`.
+    ///
+    /// A run for each row, unless the target can do better; a packed frame can.
+    ///
+    /// # Errors
+    /// What the display behind says.
+    fn fill_tile(&mut self, area: Rect, tile: &[[Self::Color; 8]; 8]) -> Result<(), Self::Error> {
+        let visible = area.intersection(self.bounds());
+        visible.rows().try_for_each(|row| match phase(tile, row) {
+            Some(colors) => self.fill_run(row, visible.columns(), colors),
+            None => Ok(()),
+        })
+    }
 }
 
 /// What a shape is filled with: a colour, a pattern, a picture, a gradient …
@@ -145,83 +158,6 @@ impl<T: Target, I: Ink<Color = T::Color>> Sink for Brush<'_, T, I> {
     }
 }
 
-/// Any embedded-graphics display as a [`Target`].
-///
-/// A run of one colour is one `fill_solid`, a run of a pattern one `fill_contiguous`. Written colours
-/// are one `fill_contiguous` for each stretch without an absent one, up to 64 pixels long: so a
-/// display that sets a window on its bus for each call does so seldom.
-#[derive(Debug)]
-pub struct OnDrawTarget<'d, D> {
-    display: &'d mut D,
-    bounds: Rect,
-}
-
-impl<'d, D: DrawTarget> OnDrawTarget<'d, D> {
-    /// Lends a display.
-    pub fn new(display: &'d mut D) -> Self {
-        let bounds = display.bounding_box().into();
-        Self { display, bounds }
-    }
-}
-
-impl<D: DrawTarget> Target for OnDrawTarget<'_, D> {
-    type Color = D::Color;
-    type Error = D::Error;
-
-    fn bounds(&self) -> Rect {
-        self.bounds
-    }
-
-    fn fill_run<const N: usize>(
-        &mut self,
-        row: i32,
-        columns: Range<i32>,
-        colors: [D::Color; N],
-    ) -> Result<(), D::Error> {
-        let Some(columns) = self.bounds.clip_run(row, columns) else { return Ok(()) };
-        let area = run_area(row, &columns);
-        if let [color] = *colors.as_slice() {
-            self.display.fill_solid(&area, color)
-        } else {
-            self.display.fill_contiguous(&area, repeated(&colors, columns.start))
-        }
-    }
-
-    fn write_run(
-        &mut self,
-        row: i32,
-        columns: Range<i32>,
-        colors: impl Iterator<Item = Option<D::Color>>,
-    ) -> Result<(), D::Error> {
-        let Some(visible) = self.bounds.clip_run(row, columns.clone()) else { return Ok(()) };
-        let hidden = index(visible.start.saturating_sub(columns.start));
-        let mut stretch = Vec::<D::Color, 64>::new();
-        let mut end = visible.start;
-        for color in colors.skip(hidden).take(visible.len()) {
-            if color.is_none() || stretch.is_full() {
-                self.write_stretch(row, end, &mut stretch)?;
-            }
-            // There is room: a full stretch has just been written.
-            let _ = color.map(|color| stretch.push(color));
-            end = end.saturating_add(1);
-        }
-        self.write_stretch(row, end, &mut stretch)
-    }
-}
-
-impl<D: DrawTarget> OnDrawTarget<'_, D> {
-    /// Writes colours that end before a column, and forgets them.
-    fn write_stretch(&mut self, row: i32, end: i32, colors: &mut Vec<D::Color, 64>) -> Result<(), D::Error> {
-        let width = count_i32(colors.len());
-        if width > 0 {
-            let area = run_area(row, &(end.saturating_sub(width)..end));
-            self.display.fill_contiguous(&area, colors.iter().copied())?;
-            colors.clear();
-        }
-        Ok(())
-    }
-}
-
 /// Fills the spans of a shape on a display with one colour.
 #[derive(Debug)]
 pub(crate) struct Paint<'d, D: DrawTarget> {
@@ -252,7 +188,7 @@ impl<D: DrawTarget> Sink for Paint<'_, D> {
 
 /// A run that is not empty, as a rectangle.
 #[inline]
-fn run_area(row: i32, columns: &Range<i32>) -> Rectangle {
+pub(crate) fn run_area(row: i32, columns: &Range<i32>) -> Rectangle {
     Rectangle::new(Point::new(columns.start, row), Size::new(columns.start.abs_diff(columns.end), 1))
 }
 

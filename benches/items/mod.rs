@@ -113,7 +113,7 @@ pub fn single(memory: &mut [u8; MEMORY], visitor: &mut impl Visitor) {
     };
     let mut frame = Ours { target, sheet: &sheet };
     visitor.visit(Label { item: "transpose", panel: "h128", who: OURS }, &mut frame, scene::transpose);
-    for &(item, draw) in scene::outlines() {
+    for &(item, draw) in scene::outlines().iter().chain(scene::photographs()) {
         visitor.visit(Label { item, panel: "h128", who: OURS }, &mut frame, draw);
     }
 }

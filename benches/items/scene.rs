@@ -3,16 +3,20 @@
 use core::{convert::Infallible, hint::black_box};
 
 use aquatint::{
-    Cap, Code, Dithered, FillStyle, Flood, Frame, Join, Levels, Light, Line, Path, Point2, Polyline, Rows, Segment,
-    Stroke, StrokeStyle, Target,
-    display::{layout::Layout, transpose::Transpose},
+    BAYER_4X4, BAYER_8X8, BAYER_16X16, Cap, Code, CodeMask, Dithered, FillStyle, Flood, Frame, Join, Levels, Light,
+    Line, Path, Point2, Polyline, Rect, Rows, Segment, Stroke, StrokeStyle, Target,
+    display::{
+        diffuse::{Diffusion, FloydSteinberg, Kernel, SierraLite},
+        layout::Layout,
+        transpose::Transpose,
+    },
     raster::flood::{Run, words_needed},
 };
 use embedded_graphics::{
     Drawable, Pixel,
     draw_target::DrawTarget,
     geometry::{Point, Size},
-    pixelcolor::{BinaryColor, PixelColor},
+    pixelcolor::{BinaryColor, Gray8, PixelColor},
     primitives::{Primitive, PrimitiveStyle, Rectangle},
 };
 
@@ -49,8 +53,20 @@ pub fn polygons<'s, S: Polygons>() -> &'s [Item<S>] {
     &[("tri_fill", tri_fill), ("star_fill", star_fill)]
 }
 
+/// The photograph, from codes to bits.
+pub fn photographs<'m>() -> &'m [Item<OnRows<'m>>] {
+    &[
+        ("dither_4x4", |s| by_codes(s, &BY_4X4)),
+        ("dither_8x8", |s| by_codes(s, &BY_8X8)),
+        ("dither_16x16", |s| by_codes(s, &BY_16X16)),
+        ("dither_pixels", by_pixels),
+        ("sierra_lite", diffuse::<SierraLite>),
+        ("floyd_steinberg", diffuse::<FloydSteinberg>),
+    ]
+}
+
 /// Strokes and curves, which cost on every panel what they cost on rows.
-pub fn outlines<'m>() -> &'m [Item<OnFrame<'m, BinaryColor, Rows>>] {
+pub fn outlines<'m>() -> &'m [Item<OnRows<'m>>] {
     &[
         ("thick_line", |s| thick_line(&mut s.target)),
         ("polyline", |s| polyline(&mut s.target)),
@@ -71,6 +87,7 @@ pub fn alone<'m, C: Ink, L: Packed<C>>() -> &'m [Item<OnFrame<'m, C, L>>] {
     ]
 }
 
+type OnRows<'m> = OnFrame<'m, BinaryColor, Rows>;
 type OnFrame<'m, C, L> = Ours<'m, Frame<C, L, &'m mut [u8]>, L>;
 
 fn on<C: PixelColor + From<BinaryColor>>() -> C {
@@ -193,12 +210,43 @@ fn dither_photo<C: Code, L: Layout<C>>(surface: &mut OnFrame<C, L>) -> Result<()
 /// The rectangle of `rect_fill`, in half of the light.
 fn grey_rect<C: Code, L: Layout<C>>(surface: &mut OnFrame<C, L>) -> Result<(), Infallible> {
     let mut dithered = Dithered::new(&mut surface.target, levels::<C>());
-    let light = black_box(Light(32_768));
-    for row in black_box(5..55) {
-        dithered.fill_run(row, black_box(3..103), [light])?;
+    dithered.fill_area(black_box(Rect::new(3, 5, 103, 55)), black_box(Light(32_768)))
+}
+
+/// The photograph from codes to bits, by masks whose thresholds are codes.
+#[expect(clippy::unnecessary_wraps, reason = "an item")]
+fn by_codes<const W: usize, const H: usize>(surface: &mut OnRows<'_>, mask: &CodeMask<W, H>) -> Result<(), Infallible> {
+    let mask = black_box(mask);
+    for (row, codes) in (0..).zip(photo().chunks_exact(PHOTO_WIDTH)) {
+        mask.write_rows(&mut surface.target, Point::new(0, row), codes);
     }
     Ok(())
 }
+
+/// The photograph by error diffusion.
+#[expect(clippy::unnecessary_wraps, reason = "an item")]
+fn diffuse<K: Kernel>(surface: &mut OnRows<'_>) -> Result<(), Infallible> {
+    let mut memory = [0; 2 * (PHOTO_WIDTH + 4)];
+    let Ok(mut diffusion) = Diffusion::<K>::new(&mut memory, black_box(128), Levels::ONE_BIT) else { return Ok(()) };
+    for (row, codes) in (0..).zip(photo().chunks_exact(PHOTO_WIDTH)) {
+        let lights = codes.iter().map(|&code| Light::from_srgb(code));
+        diffusion.draw_packed_row(&mut surface.target, Point::new(0, row), lights);
+    }
+    Ok(())
+}
+
+/// The photograph through `DrawTarget`, pixel by pixel.
+fn by_pixels(surface: &mut OnRows<'_>) -> Result<(), Infallible> {
+    let mut target = Dithered::new(&mut surface.target, Levels::ONE_BIT).into_draw_target::<Gray8>();
+    for (y, codes) in (0..).zip(photo().chunks_exact(PHOTO_WIDTH)) {
+        target.draw_iter((0..).zip(codes).map(|(x, &code)| Pixel(Point::new(x, y), Gray8::new(code))))?;
+    }
+    Ok(())
+}
+
+static BY_4X4: CodeMask<4, 4> = CodeMask::srgb(&BAYER_4X4);
+static BY_8X8: CodeMask<8, 8> = CodeMask::srgb(&BAYER_8X8);
+static BY_16X16: CodeMask<16, 16> = CodeMask::srgb(&BAYER_16X16);
 
 /// 128 × 64 pixels from rows to pages and back.
 pub fn transpose<S: Shapes>(surface: &mut S) -> Result<(), S::Error> {

@@ -255,12 +255,24 @@ impl<C: PixelColor, L: Layout<C>, B: AsMut<[u8]>> Target for Frame<C, L, B> {
         &mut self,
         row: i32,
         columns: Range<i32>,
-        colors: impl Iterator<Item = Option<C>>,
+        mut colors: impl Iterator<Item = Option<C>>,
     ) -> Result<(), Infallible> {
         if let Some(visible) = self.rect().clip_run(row, columns.clone()) {
             let hidden = index(visible.start.saturating_sub(columns.start));
             let (start, end) = (index(visible.start), index(visible.end));
-            L::write(self.memory_mut(), index(row), start, colors.skip(hidden).take(end - start));
+            if let Some(last) = hidden.checked_sub(1) {
+                colors.nth(last);
+            }
+            L::write(self.memory_mut(), index(row), start, colors.take(end - start));
+        }
+        Ok(())
+    }
+
+    fn fill_tile(&mut self, area: Rect, tile: &[[C; 8]; 8]) -> Result<(), Infallible> {
+        let visible = area.intersection(self.rect());
+        if !visible.is_empty() {
+            let rows = index(visible.top)..index(visible.bottom);
+            L::fill_tile(self.memory_mut(), rows, index(visible.left)..index(visible.right), tile);
         }
         Ok(())
     }

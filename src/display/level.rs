@@ -4,7 +4,11 @@
 //! depends on the controller's grey table. A dither that knows it mixes two neighbouring *lights*
 //! in the right proportion; one that does not is wrong by more than any dither can repair.
 
-use crate::{colour::Light, error::describe};
+use crate::{
+    colour::Light,
+    error::describe,
+    num::{high_u16, low_index, low_u8},
+};
 
 /// The light of each code of a panel, in rising order.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -20,11 +24,11 @@ describe! { NotRising, Self => "the lights are not 2 to 256 in rising order"; }
 
 /// Two neighbouring levels.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) struct Step {
+pub(super) struct Step {
     /// Code of the darker one.
-    pub(crate) code: u8,
-    pub(crate) dark: u16,
-    pub(crate) bright: u16,
+    pub(super) code: u8,
+    pub(super) dark: u16,
+    pub(super) bright: u16,
 }
 
 impl<'a> Levels<'a> {
@@ -47,45 +51,129 @@ impl<'a> Levels<'a> {
     }
 
     /// The last two neighbours the darker of which is not brighter than `light`, or the first two.
-    pub(crate) fn around(&self, light: Light) -> Step {
+    pub(super) fn around(&self, light: Light) -> Step {
         let below = self.lights.partition_point(|&level| level <= light.0);
         let darker = below.saturating_sub(1).min(self.lights.len().saturating_sub(2));
         match self.lights.get(darker..) {
-            Some(&[dark, bright, ..]) => Step { code: crate::num::low_u8(low_u32(darker)), dark, bright },
+            Some(&[dark, bright, ..]) => Step { code: low_u8(low_index(darker)), dark, bright },
             _ => Step { code: 0, dark: 0, bright: u16::MAX },
         }
     }
 }
 
-fn low_u32(index: usize) -> u32 {
-    u32::try_from(index).unwrap_or(0)
+/// Turns light into codes, by a threshold for each.
+///
+/// Remembers between which two levels the last light was: light changes little from pixel to pixel, so that most
+/// cost two comparisons and no search.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Shades<'l> {
+    levels: Levels<'l>,
+    /// The lights of the step, from the first to the last, which are this far apart.
+    from: u16,
+    reach: u16,
+    dark: u32,
+    gap: u32,
+    code: u8,
+}
+
+impl<'l> Shades<'l> {
+    pub(super) const fn new(levels: Levels<'l>) -> Self {
+        // A step at one light, with no level reached: black is below every threshold.
+        Self { levels, from: 0, reach: 0, dark: 0, gap: 0, code: 0 }
+    }
+
+    /// The code of the brighter of two levels if the light is more than `threshold` / 65536 of the way to it, else
+    /// that of the darker.
+    #[inline]
+    pub(super) fn code(&mut self, light: Light, threshold: u16) -> u8 {
+        if light.0.wrapping_sub(self.from) > self.reach {
+            *self = Self::at(self.levels, light);
+        }
+        // The floor of the product is exact, because lights are whole numbers.
+        let switch = self.dark + ((self.gap * u32::from(threshold)) >> 16);
+        self.code + u8::from(u32::from(light.0) > switch)
+    }
+
+    /// The codes of one light by eight thresholds.
+    #[inline]
+    pub(super) fn eight(&mut self, light: Light, thresholds: [u16; 8]) -> [u8; 8] {
+        if light.0.wrapping_sub(self.from) > self.reach {
+            *self = Self::at(self.levels, light);
+        }
+        let Self { dark, gap, code, .. } = *self;
+        // As above, with the darker level on the other side.
+        let above = u32::from(light.0).saturating_sub(dark);
+        thresholds.map(|threshold| code + u8::from((gap * u32::from(threshold)) >> 16 < above))
+    }
+
+    /// By value, so that the caller keeps it in registers.
+    #[cold]
+    #[inline(never)]
+    fn at(levels: Levels<'l>, light: Light) -> Self {
+        let Step { code, dark, bright } = levels.around(light);
+        // Lights beyond the first and the last level belong to the outer steps.
+        let from = dark.min(light.0);
+        let reach = bright.max(light.0).saturating_sub(from);
+        Self { levels, from, reach, dark: dark.into(), gap: bright.saturating_sub(dark).into(), code }
+    }
 }
 
 impl Levels<'static> {
     /// One bit: off is black, on is white.
-    pub const ONE_BIT: Self = Self { lights: &[0, u16::MAX] };
-
+    pub const ONE_BIT: Self = Self { lights: const { &linear_levels::<2>() } };
+    /// Two bits in equal steps of light.
+    pub const LINEAR_4: Self = Self { lights: const { &linear_levels::<4>() } };
     /// Four bits in equal steps of light, the factory setting of SSD1322 and SSD1327.
-    pub const LINEAR_16: Self = Self {
-        lights: &[
-            0, 4369, 8738, 13_107, 17_476, 21_845, 26_214, 30_583, 34_952, 39_321, 43_690, 48_059, 52_428, 56_797,
-            61_166, 65_535,
-        ],
-    };
-
+    pub const LINEAR_16: Self = Self { lights: const { &linear_levels::<16>() } };
+    /// Two bits spaced like sRGB codes (0, 85, 170, 255), for panels that imitate a monitor.
+    pub const SRGB_4: Self = Self { lights: const { &srgb_levels::<4>() } };
+    /// Three bits spaced like sRGB codes: red and green of `Rgb332`.
+    pub const SRGB_8: Self = Self { lights: const { &srgb_levels::<8>() } };
     /// Four bits spaced like sRGB codes (0, 17, 34 … 255), for panels that imitate a monitor.
-    pub const SRGB_16: Self = Self { lights: &SRGB_16 };
+    pub const SRGB_16: Self = Self { lights: const { &srgb_levels::<16>() } };
+    /// Five bits spaced like sRGB codes: red and blue of `Rgb565`.
+    pub const SRGB_32: Self = Self { lights: const { &srgb_levels::<32>() } };
+    /// Six bits spaced like sRGB codes: green of `Rgb565`.
+    pub const SRGB_64: Self = Self { lights: const { &srgb_levels::<64>() } };
 }
 
-static SRGB_16: [u16; 16] = {
-    let mut lights = [0; 16];
-    let mut code: u8 = 0;
-    while code < 16 {
-        lights[code as usize] = Light::from_srgb(code * 17).0;
+/// `N` levels in equal steps of light, 2 to 256.
+///
+/// ```
+/// use aquatint::{Levels, display::level::linear_levels};
+///
+/// static FIVE: [u16; 5] = linear_levels();
+/// assert_eq!(FIVE, [0, 16_384, 32_768, 49_151, 65_535]);
+/// let levels = Levels::new(&FIVE)?;
+/// # Ok::<(), aquatint::display::level::NotRising>(())
+/// ```
+#[must_use]
+pub const fn linear_levels<const N: usize>() -> [u16; N] {
+    const { assert!(N >= 2 && N <= 256, "codes are bytes") };
+    let (mut lights, mut code) = ([0; N], 0);
+    while code < N {
+        lights[code] = high_u16(nearest(code, 0xFFFF, N - 1) << 16);
         code += 1;
     }
     lights
-};
+}
+
+/// `N` levels spaced like sRGB codes, 2 to 256.
+#[must_use]
+pub const fn srgb_levels<const N: usize>() -> [u16; N] {
+    const { assert!(N >= 2 && N <= 256, "codes are bytes") };
+    let (mut lights, mut code) = ([0; N], 0);
+    while code < N {
+        lights[code] = Light::from_srgb(low_u8(nearest(code, 255, N - 1))).0;
+        code += 1;
+    }
+    lights
+}
+
+/// `code` of 0 to `last` as the nearest of 0 to `white`.
+const fn nearest(code: usize, white: usize, last: usize) -> u32 {
+    low_index((2 * code * white + last) / (2 * last))
+}
 
 #[cfg(test)]
 mod tests {

@@ -127,6 +127,15 @@ impl<T: Target> Target for Window<'_, T> {
         let columns = shifted(&visible, self.offset.x);
         self.target.write_run(row.saturating_add(self.offset.y), columns, colors.skip(hidden))
     }
+
+    fn fill_tile(&mut self, area: Rect, tile: &[[T::Color; 8]; 8]) -> Result<(), T::Error> {
+        let visible = area.intersection(self.seen);
+        if visible.is_empty() {
+            return Ok(());
+        }
+        let tile = turned(tile, self.offset.y).map(|colors| turned(&colors, self.offset.x));
+        self.target.fill_tile(self.there(visible).into(), &tile)
+    }
 }
 
 fn shifted(columns: &Range<i32>, by: i32) -> Range<i32> {

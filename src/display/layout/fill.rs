@@ -79,16 +79,18 @@ impl BitRun {
     pub(super) fn fill(&self, memory: Memory<&mut [u8]>, lines: Range<usize>, pattern: u64) {
         let Some((bytes, stride)) = memory.from(lines.start, self.first) else { return };
         let lines = lines.end.wrapping_sub(lines.start);
-        let eight = pattern.rotate_left(8 * (low_index(self.first) & 7)).to_be_bytes();
-        let second = pattern.rotate_left(8 * (low_index(self.first.wrapping_add(1)) & 7)).to_be_bytes();
+        let from = |byte: usize| pattern.rotate_left(8 * (low_index(byte) & 7)).to_be_bytes();
+        let ([head, ..], second) = (from(self.first), from(self.first.wrapping_add(1)));
+        // The eight bytes before the last one have the phases of those from it on.
+        let before_last @ [tail, ..] = from(self.last);
         let width = self.last.wrapping_sub(self.first).wrapping_add(1);
         for line in bytes.chunks_mut(stride).take(lines) {
             match line.get_mut(..width) {
-                Some([only]) => merge(only, self.head & self.tail, eight[0]),
+                Some([only]) => merge(only, self.head & self.tail, head),
                 Some([first, middle @ .., last]) => {
-                    merge(first, self.head, eight[0]);
-                    merge(last, self.tail, phase(second, middle.len()));
-                    fill_pattern(middle, second);
+                    merge(first, self.head, head);
+                    merge(last, self.tail, tail);
+                    fill_pattern(middle, second, before_last);
                 }
                 _ => return,
             }
@@ -161,15 +163,17 @@ fn fill_few(bytes: &mut [u8], value: u8) {
     }
 }
 
-/// Fills whole bytes with eight that repeat.
+/// Fills whole bytes with eight that repeat; `last` are those of the last eight bytes.
 #[inline]
-fn fill_pattern(bytes: &mut [u8], eight: [u8; 8]) {
-    let mut words = bytes.chunks_exact_mut(8);
-    for word in &mut words {
+fn fill_pattern(bytes: &mut [u8], eight: [u8; 8], last: [u8; 8]) {
+    // The last word first: it holds what is left over behind whole ones.
+    let Some(word) = bytes.last_chunk_mut() else {
+        bytes.iter_mut().zip(eight).for_each(|(byte, value)| *byte = value);
+        return;
+    };
+    *word = last;
+    for word in bytes.chunks_exact_mut(8) {
         word.copy_from_slice(&eight);
-    }
-    for (byte, value) in words.into_remainder().iter_mut().zip(eight) {
-        *byte = value;
     }
 }
 

@@ -86,6 +86,17 @@ pub trait Layout<C: Copy>: sealed::Sealed + Alike<C> + Packing {
         Self::fill(memory, rows, columns, [color; 8]);
     }
 
+    /// Gives the pixels of an area the colours of a tile, `tile[row & 7][column & 7]`.
+    ///
+    /// The area is not empty and lies inside.
+    #[inline]
+    fn fill_tile(memory: Memory<&mut [u8]>, rows: Range<usize>, columns: Range<usize>, tile: &[[C; 8]; 8]) {
+        let Memory { bytes, stride } = memory;
+        for (row, colors) in rows.clone().zip(tile.iter().cycle().skip(rows.start & 7)) {
+            Self::fill(Memory { bytes: &mut *bytes, stride }, row..row.wrapping_add(1), columns.clone(), *colors);
+        }
+    }
+
     /// Gives the pixels from a column on one colour each; `None` is skipped. They end inside.
     fn write(memory: Memory<&mut [u8]>, row: usize, column: usize, colors: impl Iterator<Item = Option<C>>);
 
@@ -206,6 +217,11 @@ impl<C: Code, L: Layout<C>> Layout<C> for Inverted<L> {
     #[inline]
     fn fill(memory: Memory<&mut [u8]>, rows: Range<usize>, columns: Range<usize>, colors: [C; 8]) {
         L::fill(memory, rows, columns, colors.map(inverse));
+    }
+
+    #[inline]
+    fn fill_tile(memory: Memory<&mut [u8]>, rows: Range<usize>, columns: Range<usize>, tile: &[[C; 8]; 8]) {
+        L::fill_tile(memory, rows, columns, &tile.map(|colors| colors.map(inverse)));
     }
 
     #[inline]

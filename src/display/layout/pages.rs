@@ -4,7 +4,7 @@ use core::{marker::PhantomData, ops::Range};
 
 use embedded_graphics::pixelcolor::raw::RawU1;
 
-use super::{Layout, LsbFirst, Memory, Order, Shape, merge, phase, spread};
+use super::{Layout, LsbFirst, Memory, Order, Shape, merge, spread};
 use crate::{num::low_index, target::Code};
 
 /// Pages of eight rows: a byte is eight pixels one above the other; bytes run along x.
@@ -24,16 +24,13 @@ impl<C: Code<Raw = RawU1>, O: Order> Layout<C> for Pages<O> {
 
     #[inline]
     fn fill(memory: Memory<&mut [u8]>, rows: Range<usize>, columns: Range<usize>, colors: [C; 8]) {
-        let values = colors.map(|color| spread(color.code()));
+        let mut values = colors.map(|color| spread(color.code()));
         if values == [values[0]; 8] {
             fill_area::<O>(memory, rows, columns, values[0]);
             return;
         }
-        each_page::<O>(memory, rows, columns.clone(), |bytes, mask| {
-            for (column, byte) in (columns.start..).zip(bytes) {
-                merge(byte, mask, phase(values, column));
-            }
-        });
+        values.rotate_left(columns.start & 7);
+        each_page::<O>(memory, rows, columns, |bytes, mask| fill_pattern(bytes, mask, values));
     }
 
     #[inline]
@@ -43,6 +40,18 @@ impl<C: Code<Raw = RawU1>, O: Order> Layout<C> for Pages<O> {
         } else {
             fill_area::<O>(memory, rows, columns, spread(color.code()));
         }
+    }
+
+    fn fill_tile(memory: Memory<&mut [u8]>, rows: Range<usize>, columns: Range<usize>, tile: &[[C; 8]; 8]) {
+        // The eight rows of the tile are one page.
+        let mut values = [0; 8];
+        for (row, colors) in tile.iter().enumerate() {
+            for (value, color) in values.iter_mut().zip(colors) {
+                *value |= spread(color.code()) & bit_of::<O>(row);
+            }
+        }
+        values.rotate_left(columns.start & 7);
+        each_page::<O>(memory, rows, columns, |bytes, mask| fill_pattern(bytes, mask, values));
     }
 
     #[inline]
@@ -118,6 +127,21 @@ fn each_page<O: Order>(
             mask &= below;
         }
         fill(line.get_mut(..width).unwrap_or_default(), mask);
+    }
+}
+
+/// A run of bytes of a page: in each the selected bits become those of eight that repeat.
+#[inline]
+fn fill_pattern(bytes: &mut [u8], mask: u8, eight: [u8; 8]) {
+    let keep = u64::from_ne_bytes([!mask; 8]);
+    let value = u64::from_ne_bytes(eight) & !keep;
+    let mut words = bytes.chunks_exact_mut(8);
+    for word in &mut words {
+        let old = word.first_chunk().map_or(0, |bytes| u64::from_ne_bytes(*bytes));
+        word.copy_from_slice(&(old & keep | value).to_ne_bytes());
+    }
+    for (byte, value) in words.into_remainder().iter_mut().zip(eight) {
+        merge(byte, mask, value);
     }
 }
 

@@ -36,6 +36,22 @@ impl<C: Code, O: Order> Layout<C> for Rows<O> {
         }
     }
 
+    fn fill_tile(memory: Memory<&mut [u8]>, rows: Range<usize>, columns: Range<usize>, tile: &[[C; 8]; 8]) {
+        let Memory { bytes, stride } = memory;
+        let run = BitRun::new::<O>(bits_of::<C>(columns));
+        let [a, b, c, d, lower @ ..] = tile;
+        // Every eighth row has the same pattern, or every fourth: a 4 × 4 dither.
+        let shift = if [a, b, c, d] == lower.each_ref() { 2 } else { 3 };
+        let period = 1 << shift;
+        let left = rows.end.wrapping_sub(rows.start).wrapping_add(period - 1);
+        for (place, colors) in tile.iter().cycle().skip(rows.start & 7).take(period).enumerate() {
+            let pattern = repeat_over_word::<C, O>(colors.map(C::code));
+            let bytes = bytes.get_mut(rows.start.wrapping_add(place).wrapping_mul(stride)..).unwrap_or_default();
+            let lines = left.saturating_sub(place) >> shift;
+            run.fill(Memory { bytes, stride: stride << shift }, 0..lines, pattern);
+        }
+    }
+
     #[inline]
     fn write(memory: Memory<&mut [u8]>, row: usize, column: usize, colors: impl Iterator<Item = Option<C>>) {
         let (bits, start) = (C::BITS, column * C::BITS as usize);

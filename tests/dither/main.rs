@@ -1,7 +1,18 @@
-//! The 4 × 4 dither: 17 shades, and the light that each gives.
+//! Ordered dither: what shades the masks give, and that every way of drawing gives the same pixels.
 
 #[macro_use]
+#[path = "../reference/mod.rs"]
 mod reference;
+
+mod codes;
+mod draw;
+
+mod exact;
+mod frames;
+mod inks;
+
+mod masks;
+mod void_and_cluster;
 
 use core::{convert::Infallible, fmt::Debug, ops::Range};
 
