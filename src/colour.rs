@@ -12,11 +12,35 @@
 //! Both ways are tables (512 bytes of flash each, only if used), computed with exact arithmetic.
 //! Other curves are in [`tone::gamma`](crate::tone::gamma).
 
+use embedded_graphics::pixelcolor::{
+    PixelColor,
+    raw::{RawData, RawU16},
+};
+
 use crate::num::{high_u16, low_u8};
 
 /// An amount of light, linear: 0 is the panel's black, 65535 its white.
+///
+/// It is a colour of embedded-graphics of sixteen bits, so that a picture may be kept in light:
+/// a [`Frame`](crate::Frame) of it in [`Words`](crate::Words) has two bytes a pixel.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Light(pub u16);
+
+impl PixelColor for Light {
+    type Raw = RawU16;
+}
+
+impl From<RawU16> for Light {
+    fn from(raw: RawU16) -> Self {
+        Self(raw.into_inner())
+    }
+}
+
+impl From<Light> for RawU16 {
+    fn from(light: Light) -> Self {
+        Self::new(light.0)
+    }
+}
 
 impl Light {
     /// None.

@@ -39,7 +39,18 @@ use crate::{
 pub trait Outline {
     /// Draws the contours, one after the other, the same ones each time.
     fn trace<P: Pen>(&self, pen: &mut P);
+
+    /// Draws the same contours sixteen times as large, for antialiasing: the pen moves on 256ths of a pixel then.
+    ///
+    /// Without its own implementation an outline is traced as ever and enlarged. One with curves does better to cut
+    /// them for that size: coverage shows a sixteenth of a pixel, which the 1-bit fills do not.
+    fn trace_fine<P: Pen>(&self, pen: &mut P) {
+        self.trace(&mut Enlarged { pen });
+    }
 }
+
+/// How many times as large [`Outline::trace_fine`] draws.
+pub(crate) const FINE: i32 = 16;
 
 /// Takes contours of straight edges.
 pub trait Pen {
@@ -57,6 +68,39 @@ impl<O: Outline> Outline for &O {
     fn trace<P: Pen>(&self, pen: &mut P) {
         (**self).trace(pen);
     }
+
+    fn trace_fine<P: Pen>(&self, pen: &mut P) {
+        (**self).trace_fine(pen);
+    }
+}
+
+/// The pen of [`Outline::trace_fine`] for outlines that know nothing of it.
+struct Enlarged<'p, P> {
+    pen: &'p mut P,
+}
+
+impl<P: Pen> Pen for Enlarged<'_, P> {
+    #[inline]
+    fn move_to(&mut self, point: Point2) {
+        self.pen.move_to(enlarged(point));
+    }
+
+    #[inline]
+    fn line_to(&mut self, point: Point2) {
+        self.pen.line_to(enlarged(point));
+    }
+
+    #[inline]
+    fn close(&mut self) {
+        self.pen.close();
+    }
+}
+
+/// The point for [`Outline::trace_fine`], of the nearest one that can be drawn.
+#[inline]
+pub(crate) fn enlarged(point: Point2) -> Point2 {
+    let Point2 { x, y } = in_range(point);
+    Point2::from_sixteenths(x.to_bits() * FINE, y.to_bits() * FINE)
 }
 
 /// An edge that owns the centre of a row: where it begins and ends, from above, and which way it winds.

@@ -7,7 +7,6 @@
 use core::ops::Range;
 
 use crate::{
-    colour::Light,
     num::{count, count_i32, index},
     space::Rect,
     span::Sink,
@@ -77,7 +76,7 @@ pub trait Target {
 
 /// What a shape is filled with: a colour, a pattern, a picture, a gradient …
 ///
-/// Every colour of embedded-graphics is an ink, and so is [`Light`]. An ink is fixed to the screen, so that
+/// Every colour of embedded-graphics is an ink, and so is [`Light`](crate::Light). An ink is fixed to the screen, so that
 /// bands, tiles and partial redraws agree to the pixel.
 ///
 /// ```
@@ -119,15 +118,6 @@ impl<C: PixelColor> Ink for C {
 
     #[inline]
     fn fill<T: Target<Color = C>>(&self, target: &mut T, row: i32, columns: Range<i32>) -> Result<(), T::Error> {
-        target.fill_run(row, columns, [*self])
-    }
-}
-
-impl Ink for Light {
-    type Color = Self;
-
-    #[inline]
-    fn fill<T: Target<Color = Self>>(&self, target: &mut T, row: i32, columns: Range<i32>) -> Result<(), T::Error> {
         target.fill_run(row, columns, [*self])
     }
 }

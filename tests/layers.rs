@@ -20,7 +20,7 @@ const WORDS: [(&str, &[&str]); 19] = [
     ("affine", &["angle", "num", "outline", "space"]),
     ("arc", &["angle", "edge", "error", "num", "outline", "space"]),
     ("curve", &["arc", "num", "outline", "space"]),
-    ("target", &["colour", "num", "space", "span"]),
+    ("target", &["num", "space", "span"]),
     ("on_draw_target", &["num", "space", "target"]),
     ("runs", &["on_draw_target", "space", "target"]),
 ];
