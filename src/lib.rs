@@ -55,6 +55,7 @@ mod affine;
 mod angle;
 mod arc;
 mod colour;
+mod coverage;
 pub mod curve;
 mod edge;
 mod error;
@@ -90,6 +91,7 @@ pub use clip::{
     window::ClipWindow,
 };
 pub use colour::Light;
+pub use coverage::{Coverage, Covered};
 pub use curve::Flatten;
 pub use display::{
     blit::{Blit, Part, RasterOp},
@@ -122,6 +124,7 @@ pub use outcode::Outcode;
 pub use outline::{Outline, Pen, pixel_bounds};
 pub use palette::{FourColor, Rgb332, SevenColor, SixColor, ThreeColor};
 pub use raster::{
+    area::{CoverageMask, Oversampled},
     bresenham::Line,
     circle::Circle,
     dda::DdaLine,

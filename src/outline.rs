@@ -128,36 +128,55 @@ impl Directed {
 
 /// Gives every edge that owns a row, of contours that are closed where they were left open.
 #[inline]
-pub(crate) fn each_edge<O: Outline>(outline: &O, take: impl FnMut(Directed)) {
-    let mut edges = Edges { take, first: Point2::default(), last: Point2::default() };
+pub(crate) fn each_edge<O: Outline>(outline: &O, mut take: impl FnMut(Directed)) {
+    let take = |edge: Directed| {
+        if edge.first_row() < edge.end_row() {
+            take(edge);
+        }
+    };
+    let mut edges = Edges::<_, LIMIT> { take, first: Point2::default(), last: Point2::default() };
     outline.trace(&mut edges);
     edges.close();
 }
 
-/// The pen of [`each_edge`].
-struct Edges<F> {
+/// Points of [`Outline::trace_fine`] are nearer to zero than this.
+pub(crate) const FINE_LIMIT: u32 = LIMIT * FINE.cast_unsigned();
+
+/// Gives every edge of [`Outline::trace_fine`] that is not horizontal, of contours that are closed where they were
+/// left open.
+#[inline]
+pub(crate) fn each_fine_edge<O: Outline>(outline: &O, mut take: impl FnMut(Directed)) {
+    let take = |edge: Directed| {
+        if edge.upper.y < edge.lower.y {
+            take(edge);
+        }
+    };
+    let mut edges = Edges::<_, FINE_LIMIT> { take, first: Point2::default(), last: Point2::default() };
+    outline.trace_fine(&mut edges);
+    edges.close();
+}
+
+/// The pen that turns contours into edges, with coordinates below a limit.
+struct Edges<F, const LIMIT: u32> {
     take: F,
     first: Point2,
     last: Point2,
 }
 
-impl<F: FnMut(Directed)> Pen for Edges<F> {
+impl<F: FnMut(Directed), const LIMIT: u32> Pen for Edges<F, LIMIT> {
     #[inline]
     fn move_to(&mut self, point: Point2) {
         self.close();
-        self.first = in_range(point);
+        self.first = nearest_within::<LIMIT>(point);
         self.last = self.first;
     }
 
     #[inline]
     fn line_to(&mut self, point: Point2) {
-        let (from, to) = (self.last, in_range(point));
+        let (from, to) = (self.last, nearest_within::<LIMIT>(point));
         self.last = to;
         let (upper, lower, winding) = if from.y <= to.y { (from, to, 1) } else { (to, from, -1) };
-        let edge = Directed { upper, lower, winding };
-        if edge.first_row() < edge.end_row() {
-            (self.take)(edge);
-        }
+        (self.take)(Directed { upper, lower, winding });
     }
 
     #[inline]
@@ -171,6 +190,11 @@ impl<F: FnMut(Directed)> Pen for Edges<F> {
 /// The nearest point whose edges can be walked exactly: an outline may be anybody's.
 #[inline]
 pub(crate) fn in_range(point: Point2) -> Point2 {
+    nearest_within::<LIMIT>(point)
+}
+
+#[inline]
+fn nearest_within<const LIMIT: u32>(point: Point2) -> Point2 {
     if point.within(LIMIT) {
         return point;
     }

@@ -12,6 +12,9 @@ mod pictures;
 mod scene;
 #[cfg(not(target_os = "none"))]
 mod skia;
+mod soft;
+#[cfg(not(target_os = "none"))]
+mod soft_peers;
 
 use aquatint::{Frame, Pages, Rows};
 use embedded_graphics::{
@@ -104,6 +107,16 @@ fn desk(visitor: &mut impl Visitor) {
     for &(item, draw) in scene::polygons() {
         visitor.visit(Label { item, panel: "h128", who: "tiny-skia" }, &mut surface, draw);
     }
+    soft_peer("tiny-skia", soft_peers::TinySkia::new(), visitor);
+    soft_peer("zeno", soft_peers::Zeno::new(), visitor);
+    soft_peer("ab_glyph_rasterizer", soft_peers::AbGlyph::new(), visitor);
+}
+
+#[cfg(not(target_os = "none"))]
+fn soft_peer<S: soft::Soft>(who: &'static str, mut surface: S, visitor: &mut impl Visitor) {
+    for &(item, draw) in soft::items() {
+        visitor.visit(Label { item, panel: soft::PANEL, who }, &mut surface, draw);
+    }
 }
 
 /// What is done to bytes, not to a surface, and what one panel is enough for.
@@ -115,6 +128,10 @@ pub fn single(memory: &mut [u8; MEMORY], visitor: &mut impl Visitor) {
     visitor.visit(Label { item: "transpose", panel: "h128", who: OURS }, &mut frame, scene::transpose);
     for &(item, draw) in scene::outlines().iter().chain(scene::photographs()) {
         visitor.visit(Label { item, panel: "h128", who: OURS }, &mut frame, draw);
+    }
+    let Some(mut mask) = soft::Alpha::new(memory) else { return };
+    for &(item, draw) in soft::items() {
+        visitor.visit(Label { item, panel: soft::PANEL, who: OURS }, &mut mask, draw);
     }
 }
 

@@ -107,7 +107,7 @@ fn line<S: Shapes>(surface: &mut S, ends: [(i32, i32); 2]) -> Result<(), S::Erro
     surface.line(black_box(ends).map(Point::from), on())
 }
 
-fn tri_fill<S: Shapes>(surface: &mut S) -> Result<(), S::Error> {
+pub fn tri_fill<S: Shapes>(surface: &mut S) -> Result<(), S::Error> {
     surface.triangle(black_box([Point::new(12, 4), Point::new(98, 20), Point::new(45, 56)]), on())
 }
 
@@ -151,7 +151,7 @@ const STAR: [(i32, i32); 12] = [
     (75, 24),
 ];
 
-fn star_fill<S: Polygons>(surface: &mut S) -> Result<(), S::Error> {
+pub fn star_fill<S: Polygons>(surface: &mut S) -> Result<(), S::Error> {
     surface.polygon(&black_box(STAR.map(|(x, y)| Point::new(x, y))), on())
 }
 
@@ -169,10 +169,12 @@ fn polyline<D: DrawTarget<Color: From<BinaryColor>>>(target: &mut D) -> Result<(
     polyline.into_styled(StrokeStyle::new(on()).with_stroke(stroke)).draw(target)
 }
 
+/// Tip, two control points, top, two control points, and back to the tip.
+pub const HEART: [(i32, i32); 6] = [(64, 60), (14, 30), (40, -10), (64, 18), (88, -10), (114, 30)];
+
 /// A heart of two cubic Béziers, 50 pixels high.
 fn path_fill<D: DrawTarget<Color: From<BinaryColor>>>(target: &mut D) -> Result<(), D::Error> {
-    let [tip, a, b, top, c, d] =
-        black_box([(64, 60), (14, 30), (40, -10), (64, 18), (88, -10), (114, 30)]).map(|(x, y)| Point2::corner(x, y));
+    let [tip, a, b, top, c, d] = black_box(HEART).map(|(x, y)| Point2::corner(x, y));
     let heart = [Segment::MoveTo(tip), Segment::CubicTo(a, b, top), Segment::CubicTo(c, d, tip), Segment::Close];
     let Ok(heart) = Path::new(&heart) else { return Ok(()) };
     heart.into_styled(FillStyle::new(on())).draw(target)

@@ -31,6 +31,8 @@
 //!   3 └───●━━━━━━━┴───┘
 //! ```
 
+mod active;
+pub mod area;
 mod axes;
 pub mod bresenham;
 pub mod circle;

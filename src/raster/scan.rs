@@ -8,13 +8,8 @@
 //!   winding   0    1    0     1     0     non-zero: filled where it is not 0
 //! ```
 //!
-//! **Memory** is one list of edges of the caller's, 32 bytes each. In front are the *active* edges,
-//! sorted; behind them, unsorted, wait as many of those that begin next as there is room for, so
-//! that the outline is not traced again for each of them:
-//!
-//! ```text
-//!   │ active, by column │ waiting │ room │        all edges that begin above row `known` are here
-//! ```
+//! **Memory** is one list of edges of the caller's, 32 bytes each. Besides those that cross the row it holds as many of
+//! those that begin next as there is room for, so that the outline is not traced again for each of them.
 //!
 //! A row with more active edges than the list holds is filled by tracing the outline for one
 //! crossing after the other: slower (6 to 50 times), with the same pixels. The list's length is a
@@ -27,7 +22,8 @@ use heapless::vec::VecView;
 
 use crate::{
     edge::Edge,
-    outline::{Directed, Outline, each_edge},
+    outline::{Outline, each_edge},
+    raster::active::{ActiveList, RowEdge, sort_by_key},
     space::Rect,
     span::Sink,
     style::Rule,
@@ -61,13 +57,13 @@ pub fn fill<O: Outline, S: Sink>(
     if bounds.is_empty() {
         return Ok(());
     }
-    let mut scan = Scan { outline, edges, active: 0, known: i32::MIN };
+    let mut scan = Scan { outline, list: ActiveList::new(edges) };
     let mut row = bounds.top;
     while row < bounds.bottom {
         scan.enter(row);
-        let change = scan.next_change(row).min(bounds.bottom);
-        let is_known = row < scan.known;
-        match scan.active() {
+        let change = scan.list.next_change(row).min(bounds.bottom);
+        let is_known = scan.list.knows(row);
+        match scan.list.active() {
             [] if is_known => {}
             [one, other] if is_known => emit_pair(row..change, (&mut one.edge, &mut other.edge), sink)?,
             _ => scan.emit(row..change, rule, sink)?,
@@ -75,6 +71,18 @@ pub fn fill<O: Outline, S: Sink>(
         row = change;
     }
     Ok(())
+}
+
+impl RowEdge for ActiveEdge {
+    #[inline]
+    fn first_row(&self) -> i32 {
+        self.first_row
+    }
+
+    #[inline]
+    fn end_row(&self) -> i32 {
+        self.end_row
+    }
 }
 
 /// The most edges that cross one row: how long a list must be for [`fill`] never to be slow.
@@ -115,73 +123,35 @@ pub fn contains<O: Outline>(outline: &O, rule: Rule, pixel: Point) -> bool {
 /// The state between rows.
 struct Scan<'o, 'l, O> {
     outline: &'o O,
-    edges: &'l mut VecView<ActiveEdge>,
-    /// How many of the edges are active.
-    active: usize,
-    /// The list holds every edge that begins above this row and is not over yet.
-    known: i32,
+    list: ActiveList<'l, ActiveEdge>,
 }
 
 impl<O: Outline> Scan<'_, '_, O> {
-    fn active(&mut self) -> &mut [ActiveEdge] {
-        self.edges.get_mut(..self.active).unwrap_or_default()
-    }
-
-    /// Brings the list up to `row`: drops the edges that have ended, makes those active that begin.
     fn enter(&mut self, row: i32) {
-        if row >= self.known {
-            self.collect(row);
-        } else {
-            let waiting = self.edges.len().wrapping_sub(self.active);
-            self.edges.retain(|edge| row < edge.end_row);
-            // Those that wait have not ended.
-            self.active = self.edges.len().wrapping_sub(waiting);
-        }
-        for place in self.active..self.edges.len() {
-            if self.edges.get(place).is_some_and(|edge| edge.first_row <= row) {
-                if let Ok([begins, waits]) = self.edges.get_disjoint_mut([place, self.active]) {
-                    core::mem::swap(begins, waits);
-                }
-                self.active = self.active.wrapping_add(1);
-            }
-        }
-    }
-
-    /// Traces the outline for the edges from `row` on, as many as there is room for.
-    fn collect(&mut self, row: i32) {
-        self.edges.clear();
-        (self.active, self.known) = (0, i32::MAX);
-        let (edges, known) = (&mut *self.edges, &mut self.known);
-        each_edge(self.outline, |edge| {
-            if row < edge.end_row() && edge.first_row().max(row) < *known {
-                wait(edges, known, (edge, row));
-            }
+        let outline = self.outline;
+        self.list.enter(row, |list| {
+            each_edge(outline, |edge| {
+                let end_row = edge.end_row();
+                list.offer(edge.first_row()..end_row, row, |first_row| ActiveEdge {
+                    edge: Edge::new(edge.upper, edge.lower, first_row),
+                    first_row,
+                    end_row,
+                    winding: edge.winding,
+                });
+            });
         });
-        if self.known <= row {
-            self.edges.clear();
-        }
-    }
-
-    /// The first row below `row` in which other edges are active.
-    fn next_change(&self, row: i32) -> i32 {
-        if self.known <= row {
-            return row.saturating_add(1);
-        }
-        let (active, waiting) = self.edges.split_at_checked(self.active).unwrap_or_default();
-        let end = active.iter().map(|edge| edge.end_row).fold(self.known, i32::min);
-        waiting.iter().map(|edge| edge.first_row).fold(end, i32::min)
     }
 
     /// The spans of rows that have the same active edges.
     fn emit<S: Sink>(&mut self, rows: Range<i32>, rule: Rule, sink: &mut S) -> Result<(), S::Error> {
         for row in rows {
             let mut crossings = Crossings::new(rule, sink.bounds(), row);
-            if self.known <= row {
+            if !self.list.knows(row) {
                 self.emit_by_selection(&mut crossings, sink)?;
                 continue;
             }
-            let active = self.active();
-            sort_by_column(active);
+            let active = self.list.active();
+            sort_by_key(active, |active| active.edge.column());
             for active in active {
                 crossings.cross(active.edge.column(), active.winding, sink)?;
                 active.edge.advance();
@@ -220,23 +190,6 @@ impl<O: Outline> Scan<'_, '_, O> {
     }
 }
 
-/// Puts an edge into the list of those that wait, in the place of the latest ones if it is full.
-fn wait(edges: &mut VecView<ActiveEdge>, known: &mut i32, (edge, row): (Directed, i32)) {
-    let first_row = edge.first_row().max(row);
-    while edges.is_full() {
-        let latest = edges.iter().map(|edge| edge.first_row).fold(first_row, i32::max);
-        *known = latest;
-        if latest == first_row {
-            return;
-        }
-        edges.retain(|edge| edge.first_row < latest);
-    }
-    let Directed { upper, lower, winding } = edge;
-    let active = ActiveEdge { edge: Edge::new(upper, lower, first_row), first_row, end_row: edge.end_row(), winding };
-    // There is room.
-    let _ = edges.push(active);
-}
-
 /// The spans of rows with two edges: contours are closed, so one leads in and the other out by any rule.
 fn emit_pair<S: Sink>(rows: Range<i32>, (one, other): (&mut Edge, &mut Edge), sink: &mut S) -> Result<(), S::Error> {
     let Rect { left, right, .. } = sink.bounds();
@@ -250,25 +203,6 @@ fn emit_pair<S: Sink>(rows: Range<i32>, (one, other): (&mut Edge, &mut Edge), si
         other.advance();
     }
     Ok(())
-}
-
-/// Insertion sort: between rows almost nothing changes its place, and the code is small.
-fn sort_by_column(active: &mut [ActiveEdge]) {
-    if active.is_sorted_by_key(|active| active.edge.column()) {
-        return;
-    }
-    for end in 2..=active.len() {
-        let Some(mut sorted) = active.get_mut(..end) else { return };
-        while let [rest @ .., left, right] = sorted {
-            if left.edge.column() <= right.edge.column() {
-                break;
-            }
-            core::mem::swap(left, right);
-            let next = rest.len() + 1;
-            let Some(shorter) = sorted.get_mut(..next) else { return };
-            sorted = shorter;
-        }
-    }
 }
 
 /// The walk along one row: takes crossings from left to right, gives spans.

@@ -1,0 +1,127 @@
+//! The list of edges of a scan conversion, which looks ahead.
+//!
+//! In front are the *active* edges, which reach into the present row; behind them, unsorted, wait as many of
+//! those that begin next as there is room for, so that the outline is not traced again for each of them:
+//!
+//! ```text
+//!   │ active, by column │ waiting │ room │        all edges that begin above row `known` are here
+//! ```
+
+use core::ops::Range;
+
+use heapless::vec::VecView;
+
+/// An edge that reaches into some rows.
+pub(super) trait RowEdge {
+    /// The first of its rows, or the row it was made for if that is lower.
+    fn first_row(&self) -> i32;
+
+    /// The first row behind.
+    fn end_row(&self) -> i32;
+}
+
+/// Edges in memory of the caller's.
+pub(super) struct ActiveList<'l, E> {
+    edges: &'l mut VecView<E>,
+    /// How many of the edges are active.
+    active: usize,
+    /// The list holds every edge that begins above this row and is not over yet.
+    known: i32,
+}
+
+impl<'l, E: RowEdge> ActiveList<'l, E> {
+    pub(super) fn new(edges: &'l mut VecView<E>) -> Self {
+        Self { edges, active: 0, known: i32::MIN }
+    }
+
+    /// Whether the active edges of a row are all here; else there are more than the list can hold.
+    #[inline]
+    pub(super) fn knows(&self, row: i32) -> bool {
+        row < self.known
+    }
+
+    #[inline]
+    pub(super) fn active(&mut self) -> &mut [E] {
+        self.edges.get_mut(..self.active).unwrap_or_default()
+    }
+
+    /// Brings the list up to `row`: drops the edges that have ended, makes those active that begin. Where none
+    /// waits any more, `collect` has to [offer](Self::offer) all of the outline again.
+    pub(super) fn enter(&mut self, row: i32, collect: impl FnOnce(&mut Self)) {
+        if row >= self.known {
+            self.edges.clear();
+            (self.active, self.known) = (0, i32::MAX);
+            collect(self);
+            if self.known <= row {
+                self.edges.clear();
+            }
+        } else {
+            let waiting = self.edges.len().wrapping_sub(self.active);
+            self.edges.retain(|edge| row < edge.end_row());
+            // Those that wait have not ended.
+            self.active = self.edges.len().wrapping_sub(waiting);
+        }
+        for place in self.active..self.edges.len() {
+            if self.edges.get(place).is_some_and(|edge| edge.first_row() <= row) {
+                if let Ok([begins, waits]) = self.edges.get_disjoint_mut([place, self.active]) {
+                    core::mem::swap(begins, waits);
+                }
+                self.active = self.active.wrapping_add(1);
+            }
+        }
+    }
+
+    /// Takes an edge of these rows, made for the row that is said, if there is room for it or it begins before others.
+    #[inline]
+    pub(super) fn offer(&mut self, edge: Range<i32>, row: i32, make: impl FnOnce(i32) -> E) {
+        let first_row = edge.start.max(row);
+        if row < edge.end && first_row < self.known && self.make_room(first_row) {
+            // There is room.
+            let _ = self.edges.push(make(first_row));
+        }
+    }
+
+    /// Gives up the latest edges for one that begins earlier; whether there is room then.
+    #[inline]
+    fn make_room(&mut self, first_row: i32) -> bool {
+        while self.edges.is_full() {
+            let latest = self.edges.iter().map(RowEdge::first_row).fold(first_row, i32::max);
+            self.known = latest;
+            if latest == first_row {
+                return false;
+            }
+            self.edges.retain(|edge| edge.first_row() < latest);
+        }
+        true
+    }
+
+    /// The first row below `row` in which other edges are active.
+    pub(super) fn next_change(&self, row: i32) -> i32 {
+        if self.known <= row {
+            return row.saturating_add(1);
+        }
+        let (active, waiting) = self.edges.split_at_checked(self.active).unwrap_or_default();
+        let end = active.iter().map(RowEdge::end_row).fold(self.known, i32::min);
+        waiting.iter().map(RowEdge::first_row).fold(end, i32::min)
+    }
+}
+
+/// Insertion sort: between rows almost nothing changes its place, and the code is small.
+#[inline]
+pub(super) fn sort_by_key<E, K: PartialOrd>(edges: &mut [E], key: impl Fn(&E) -> K) {
+    if edges.is_sorted_by_key(&key) {
+        return;
+    }
+    for end in 2..=edges.len() {
+        let Some(mut sorted) = edges.get_mut(..end) else { return };
+        while let [rest @ .., left, right] = sorted {
+            if key(left) <= key(right) {
+                break;
+            }
+            core::mem::swap(left, right);
+            let next = rest.len() + 1;
+            let Some(shorter) = sorted.get_mut(..next) else { return };
+            sorted = shorter;
+        }
+    }
+}

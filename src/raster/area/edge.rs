@@ -1,0 +1,218 @@
+//! An edge of an antialiased shape: where it crosses the borders of rows, to 2⁻³² pixels.
+//!
+//! ```text
+//!   ───────●╲─────────── upper border of the row: `x`
+//!           ╲  t/256 of the row further down: x + step·t/256
+//!   ─────────╲────────── lower border: x + step, the next row's `x`
+//! ```
+//!
+//! A step is rounded once, by less than 2⁻³² pixels a row, and rows are entered by a multiplication, so an edge
+//! is where it is whichever row the walk begins in: bands and tiles agree to the bit. After 1000 rows it is off by
+//! less than 2⁻²² pixels, after four million by 2⁻¹⁰.
+
+use core::ops::Range;
+
+use crate::{
+    num::{divide_floor, divide_floor_i32},
+    outline::Directed,
+    raster::{active::RowEdge, area::cells::Side},
+    style::Rule,
+};
+
+/// Parts of a pixel on the axes of [`Outline::trace_fine`](crate::Outline::trace_fine).
+pub(super) const PARTS: i32 = 256;
+
+/// One edge of an outline, in the list that [`fill`](super::fill) works with.
+#[derive(Clone, Copy, Debug)]
+pub struct AreaEdge {
+    /// Where it crosses the upper border of the present row, prolonged if it begins below: 32 fraction bits, modulo
+    /// 2⁶⁴ outside of its rows.
+    x: i64,
+    /// To the right on the way down a row.
+    step: i64,
+    /// Where it begins and ends, in 256ths of a pixel.
+    top: i32,
+    bottom: i32,
+    winding: i32,
+    /// Where it crosses the borders of a band, with 16 fraction bits.
+    pub(super) from: i64,
+    pub(super) to: i64,
+}
+
+/// Where an edge is that does not cross the band: right of all others.
+const ELSEWHERE: i64 = i64::MAX >> 2;
+
+impl AreaEdge {
+    /// An edge, not horizontal, standing on `row`.
+    pub(super) fn new(Directed { upper, lower, winding }: Directed, row: i32) -> Self {
+        let (top, bottom) = (upper.y.to_bits(), lower.y.to_bits());
+        // Both are less than 2³⁰.
+        let step = slope(lower.x.to_bits() - upper.x.to_bits(), bottom - top);
+        let down = i64::from(row) * i64::from(PARTS) - i64::from(top);
+        let x = (i64::from(upper.x.to_bits()) << 24).wrapping_add(part(step, down));
+        Self { x, step, top, bottom, winding, from: 0, to: 0 }
+    }
+
+    pub(super) const fn winding(&self) -> i32 {
+        self.winding
+    }
+
+    /// Passes the edge on the way to the right; says of which side of the inside it is the border, if it is.
+    #[inline]
+    pub(super) const fn side(&self, winding: &mut i32, rule: Rule) -> Option<Side> {
+        let was_inside = *winding & rule.mask() != 0;
+        *winding = winding.wrapping_add(self.winding);
+        let is_inside = *winding & rule.mask() != 0;
+        if was_inside == is_inside {
+            return None;
+        }
+        Some(if is_inside { Side::Left } else { Side::Right })
+    }
+
+    /// Steps to the next row.
+    #[inline]
+    pub(super) const fn advance(&mut self) {
+        self.x = self.x.wrapping_add(self.step);
+    }
+
+    /// The rows that it goes through from border to border.
+    #[inline]
+    pub(super) const fn whole_rows(&self) -> Range<i32> {
+        end_row(self.top)..self.bottom >> 8
+    }
+
+    /// The first of its ends that lies between parts of a row, exclusively; else `until`.
+    pub(super) fn next_end(&self, row: i32, (after, until): (i32, i32)) -> i32 {
+        let inside = |y: i32| (y - (row << 8) > after).then_some(y - (row << 8));
+        [self.top, self.bottom].into_iter().filter_map(inside).fold(until, i32::min)
+    }
+
+    /// Places it between two parts of a row, which its ends are not between.
+    #[inline]
+    pub(super) fn place(&mut self, row: i32, (top, bottom): (i32, i32)) {
+        if self.top <= (row << 8) + top && self.bottom >= (row << 8) + bottom {
+            (self.from, self.to) = (self.at(top), self.at(bottom));
+        } else {
+            (self.from, self.to) = (ELSEWHERE, ELSEWHERE);
+        }
+    }
+
+    /// Places it in the row, between its own ends.
+    #[inline]
+    pub(super) fn place_all(&mut self, row: i32) {
+        let [top, bottom] = [self.top, self.bottom].map(|y| (y - (row << 8)).clamp(0, PARTS));
+        (self.from, self.to) = (self.at(top), self.at(bottom));
+    }
+
+    /// Places it in a row that it crosses from border to border, and steps to the next.
+    #[inline]
+    pub(super) const fn place_whole(&mut self) {
+        self.from = self.x >> 16;
+        self.advance();
+        self.to = self.x >> 16;
+    }
+
+    /// Steps back to the row above.
+    pub(super) const fn retreat(&mut self) {
+        self.x = self.x.wrapping_sub(self.step);
+    }
+
+    /// Whether it crosses the band that it was placed in.
+    #[inline]
+    pub(super) const fn is_here(&self) -> bool {
+        self.from < ELSEWHERE
+    }
+
+    /// Whether it crosses the middle of a strip of the row.
+    pub(super) fn crosses(&self, row: i32, part: i32) -> bool {
+        (self.top..self.bottom).contains(&((row << 8) + part))
+    }
+
+    /// Where it is `part` 256ths below the upper border of the row, with 16 fraction bits.
+    #[inline]
+    pub(super) const fn at(&self, part_of_row: i32) -> i64 {
+        self.x.wrapping_add(part(self.step, part_of_row as i64)) >> 16
+    }
+}
+
+impl RowEdge for AreaEdge {
+    #[inline]
+    fn first_row(&self) -> i32 {
+        self.top >> 8
+    }
+
+    #[inline]
+    fn end_row(&self) -> i32 {
+        end_row(self.bottom)
+    }
+}
+
+/// The first row that lies wholly below `y` 256ths of a pixel.
+#[inline]
+pub(super) const fn end_row(y: i32) -> i32 {
+    (y + PARTS - 1) >> 8
+}
+
+/// `step · parts / 256`, rounded down, modulo 2⁶⁴.
+#[inline]
+const fn part(step: i64, parts: i64) -> i64 {
+    (step >> 8).wrapping_mul(parts).wrapping_add((step & 0xFF) * parts >> 8)
+}
+
+/// `dx / dy` with 32 fraction bits, rounded down; `dy` is positive.
+fn slope(dx: i32, dy: i32) -> i64 {
+    if dx.unsigned_abs() | dy.unsigned_abs() >= 1 << 15 {
+        return divide_floor(i64::from(dx) << 32, dy.into()).0;
+    }
+    // Two divisions of 32 bits take half of the time of one of 64.
+    let (high, rest) = divide_floor_i32(dx << 16, dy);
+    let (low, _) = divide_floor_i32(rest << 16, dy);
+    i64::from(high) << 16 | i64::from(low)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::space::Point2;
+    use proptest::prelude::*;
+
+    fn coordinate() -> impl Strategy<Value = i32> {
+        let end = (1 << 30) - 1;
+        prop_oneof![-900..900_i32, -50_000..50_000_i32, -end..=end, Just(end), Just(-end)]
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(10_000))]
+        #[test]
+        fn a_row_may_be_entered_anywhere_and_crossings_are_right(
+            x0 in coordinate(), y0 in coordinate(), x1 in coordinate(), y1 in coordinate(), enter in 0..i32::MAX, part in 0..=256,
+        ) {
+            prop_assume!(y0 != y1);
+            let ((x0, y0), (x1, y1)) = if y0 < y1 { ((x0, y0), (x1, y1)) } else { ((x1, y1), (x0, y0)) };
+            let edge = Directed { upper: Point2::from_sixteenths(x0, y0), lower: Point2::from_sixteenths(x1, y1), winding: 1 };
+            let first = y0 >> 8;
+            let row = first + enter % (end_row(y1) - first);
+            let entered = AreaEdge::new(edge, row);
+            let mut walked = AreaEdge::new(edge, row.saturating_sub(20).max(first));
+            for _ in row.saturating_sub(20).max(first)..row {
+                walked.advance();
+            }
+            prop_assert_eq!(entered.x, walked.x);
+            // Between its ends it is right to 2⁻¹⁶ pixels, and 2⁻³² more a row.
+            let y = (row << 8) + part;
+            prop_assume!((y0..=y1).contains(&y));
+            let [dx, dy, down] = [x1.abs_diff(x0), y1.abs_diff(y0), y.abs_diff(y0)].map(i128::from);
+            let dx = if x1 < x0 { -dx } else { dx };
+            let exact = (i128::from(x0) << 8) + (dx * down << 8).div_euclid(dy);
+            let error = i128::from(entered.at(part)) - exact;
+            prop_assert!((-(down >> 24) - 2..=1).contains(&error), "{error}");
+        }
+    }
+
+    #[test]
+    fn slopes_are_rounded_down_in_both_ways() {
+        for (dx, dy) in [(1, 3), (-1, 3), (32_767, 1), (-32_767, 32_767), (-32_767, 32_766), (0, 5), (12_345, 6_789)] {
+            assert_eq!(slope(dx, dy), (i64::from(dx) << 32).div_euclid(dy.into()), "{dx}/{dy}");
+        }
+    }
+}

@@ -1,0 +1,224 @@
+//! Area averaging: how much of each pixel an outline covers, exactly. Lecture 6.4.
+//!
+//! The inside of an outline by either winding rule, cut by the pixels; no samples. A row is cut into *bands*
+//! in which no edge begins, ends or crosses another; there the edges have an order, the rule says which of them are
+//! borders of the inside, and each border adds the area right of it to the pixels that it crosses.
+//!
+//! ```text
+//!   ┌───┬───┬───┬───┐
+//!   │  ╱│   │   │╲  │ ┐ one band           evenly: no pixel between two borders is looked at
+//!   │ ╱ │   │   │ ╲ │ ┘
+//!   ├╱──┼───┼───┼──╲┤
+//!   │╲  │   │   │  ╱│ ┐ two, because       a corner lies in the row
+//!   │ ╲ │   │   │ ╱ │ ┘ the edges turn
+//!   └───┴───┴───┴───┘
+//! ```
+//!
+//! - **Takes** any [`Outline`], traced [finely](Outline::trace_fine): corners on 256ths of a pixel.
+//! - **Gives** spans with their [`Coverage`]: runs of even coverage, and pixel by pixel where edges are. Pixels that
+//!   are not covered may be among them.
+//! - **Memory** of the caller's: a list of edges, and cells for one row, two bytes each. Both may be short: cells for a
+//!   part of the row are used again and again, and a row of more edges than the list holds is sampled in 16 strips.
+//! - **Cost** an edge 100 instructions to set up (a division); then about 50 for each row that it crosses and 15 for
+//!   each pixel; a division more for a row in which it crosses a column.
+//!
+//! **How exact.** An area is right to 0.1/256 of a pixel where no edges cross, and so are the sums of areas that shapes
+//! share a pixel with. Edges that cross in a pixel are parted to 1/64 of a row: 7/256 at most, half a step in
+//! the mean. In a row with more than eight such bands, and in one with more edges than the list holds, it is 1/16.
+//!
+//! Exact bands improve on the scan converter of cairo (`cairo-tor-scan-converter.c`), which falls back to 15 strips in
+//! every row with a corner.
+
+mod apart;
+mod bands;
+mod cells;
+mod edge;
+mod mask;
+mod oversample;
+
+use core::ops::Range;
+
+use heapless::vec::VecView;
+
+use self::{
+    apart::{are_apart, emit_apart},
+    bands::{add_bands, emit_between},
+    cells::{Cells, Side, height_of},
+};
+pub use self::{edge::AreaEdge, mask::CoverageMask, oversample::Oversampled};
+use crate::{
+    coverage::{Coverage, Covered},
+    num::{index, low_index},
+    outline::{Outline, each_fine_edge},
+    raster::{
+        active::ActiveList,
+        area::edge::{PARTS, end_row},
+    },
+    space::Rect,
+    span::Sink,
+    style::Rule,
+};
+
+/// Memory that [`fill`] works with. What it holds before and after means nothing.
+#[derive(Debug)]
+pub struct Scratch<'m> {
+    /// 48 bytes each; 16 are enough for most shapes. It should hold all edges that reach into one row.
+    pub edges: &'m mut VecView<AreaEdge>,
+    /// Two bytes each; best as many as the row is wide. Any number will do.
+    pub cells: &'m mut [Coverage],
+}
+
+/// Emits the coverage of what an outline encloses, from top to bottom and from left to right, inside the bounds of
+/// `sink`. Open contours are closed by a straight edge.
+///
+/// ```
+/// use aquatint::{Coverage, Covered, Point2, Polygon, Rect, Rule, SpanFn, raster::area::{Scratch, fill}};
+///
+/// // From the middle of one pixel to the middle of another.
+/// let corners = [(8, 0), (40, 0), (40, 16), (8, 16)].map(|(x, y)| Point2::from_sixteenths(x, y));
+/// let contours = [&corners[..]];
+/// let square = Polygon::new(&contours).unwrap();
+///
+/// let (mut edges, mut cells) = (heapless::Vec::<_, 16>::new(), [Coverage::NONE; 8]);
+/// let mut picture = [[0; 4]; 2];
+/// let mut sink = SpanFn::new(Rect::new(0, 0, 4, 2), |row, columns: core::ops::Range<i32>, covered: Covered<'_>| {
+///     for (offset, column) in columns.enumerate() {
+///         picture[row as usize][column as usize] = covered.at(offset).to_byte();
+///     }
+/// });
+/// fill(&square, Rule::NonZero, Scratch { edges: &mut edges, cells: &mut cells }, &mut sink)?;
+/// assert_eq!(picture, [[128, 255, 128, 0], [0; 4]]);
+/// # Ok::<(), core::convert::Infallible>(())
+/// ```
+///
+/// # Errors
+/// What the sink says.
+pub fn fill<O, S, E>(outline: &O, rule: Rule, scratch: Scratch<'_>, sink: &mut S) -> Result<(), E>
+where
+    O: Outline,
+    S: for<'c> Sink<Covered<'c>, Error = E>,
+{
+    let bounds = sink.bounds();
+    if bounds.is_empty() {
+        return Ok(());
+    }
+    let mut spare = [Coverage::NONE];
+    let cells = if scratch.cells.is_empty() { &mut spare[..] } else { scratch.cells };
+    let width = cells.len().min(Cells::MOST).min(index(bounds.width().min(1 << 14).cast_signed()));
+    let Some(cells) = cells.get_mut(..width) else { return Ok(()) };
+    cells.fill(Coverage::NONE);
+    let mut scan = Scan { outline, rule, list: ActiveList::new(scratch.edges), cells, bounds };
+    let mut row = bounds.top;
+    while row < bounds.bottom {
+        scan.enter(row);
+        let is_known = scan.list.knows(row);
+        let change = if is_known { scan.list.next_change(row).min(bounds.bottom) } else { row + 1 };
+        if !(is_known && scan.list.active().is_empty()) {
+            let whole = scan.whole_rows();
+            for row in row..change {
+                scan.emit_row(row, whole.contains(&row), sink)?;
+            }
+        }
+        row = change;
+    }
+    Ok(())
+}
+
+/// The state between rows.
+struct Scan<'o, 'l, O> {
+    outline: &'o O,
+    rule: Rule,
+    list: ActiveList<'l, AreaEdge>,
+    cells: &'l mut [Coverage],
+    bounds: Rect,
+}
+
+impl<O: Outline> Scan<'_, '_, O> {
+    fn enter(&mut self, row: i32) {
+        let outline = self.outline;
+        self.list.enter(row, |list| {
+            each_fine_edge(outline, |edge| {
+                let rows = edge.upper.y.to_bits() >> 8..end_row(edge.lower.y.to_bits());
+                list.offer(rows, row, |first_row| AreaEdge::new(edge, first_row));
+            });
+        });
+    }
+
+    /// The rows that all active edges go through from border to border.
+    fn whole_rows(&mut self) -> Range<i32> {
+        let rows = self.list.active().iter().map(AreaEdge::whole_rows);
+        rows.fold(i32::MIN..i32::MAX, |all, rows| all.start.max(rows.start)..all.end.min(rows.end))
+    }
+
+    /// One row, in as many parts as the cells make of it.
+    #[inline]
+    fn emit_row<S, E>(&mut self, row: i32, is_whole: bool, sink: &mut S) -> Result<(), E>
+    where
+        S: for<'c> Sink<Covered<'c>, Error = E>,
+    {
+        let Rect { left, right, .. } = self.bounds;
+        let is_known = self.list.knows(row);
+        let edges = self.list.active();
+        let is_apart = is_known && is_whole && are_apart(edges);
+        let mut at = left;
+        while at < right {
+            let length = right.abs_diff(at).min(low_index(self.cells.len()));
+            let cells = self.cells.get_mut(..index(length.cast_signed())).unwrap_or_default();
+            let mut cells = Cells::new(cells, at);
+            if is_apart {
+                emit_apart(edges, &mut cells, (row, self.rule), sink)?;
+            } else if is_known {
+                add_bands(edges, &mut cells, row, self.rule);
+                emit_between(edges, &mut cells, row, sink)?;
+            } else {
+                add_strips(self.outline, &mut cells, row, self.rule);
+                cells.emit_all(row, sink)?;
+            }
+            at = at.saturating_add_unsigned(length);
+        }
+        if !is_apart {
+            edges.iter_mut().for_each(AreaEdge::advance);
+        }
+        Ok(())
+    }
+}
+
+/// Adds a row of which there is no list of edges: 16 strips, in which the edges are upright.
+#[cold]
+fn add_strips<O: Outline>(outline: &O, cells: &mut Cells, row: i32, rule: Rule) {
+    for middle in (PARTS / 32..PARTS).step_by(16) {
+        let (mut left, mut winding) = (i64::MIN, 0_i32);
+        // The nearest crossing right of `left` again and again.
+        while let Some((x, winds)) = next_crossing(outline, (row, middle), left) {
+            let was_inside = winding & rule.mask() != 0;
+            winding = winding.wrapping_add(winds);
+            let is_inside = winding & rule.mask() != 0;
+            if was_inside != is_inside {
+                let side = if is_inside { Side::Left } else { Side::Right };
+                cells.add_edge((x, x), height_of(PARTS / 16), side);
+            }
+            left = x;
+        }
+    }
+}
+
+/// Where edges cross the middle of a strip next to the right, and what they wind there together.
+fn next_crossing<O: Outline>(outline: &O, (row, middle): (i32, i32), left: i64) -> Option<(i64, i32)> {
+    let mut next: Option<(i64, i32)> = None;
+    each_fine_edge(outline, |edge| {
+        let rows = edge.upper.y.to_bits() >> 8..end_row(edge.lower.y.to_bits());
+        if !rows.contains(&row) {
+            return;
+        }
+        let edge = AreaEdge::new(edge, row);
+        let x = edge.at(middle);
+        if edge.crosses(row, middle) && x > left {
+            next = Some(match next {
+                Some((nearest, winding)) if x == nearest => (nearest, winding + edge.winding()),
+                Some((nearest, winding)) if x > nearest => (nearest, winding),
+                _ => (x, edge.winding()),
+            });
+        }
+    });
+    next
+}
