@@ -54,6 +54,7 @@
 mod affine;
 mod angle;
 mod arc;
+mod blend;
 mod colour;
 mod coverage;
 pub mod curve;
@@ -68,6 +69,7 @@ mod palette;
 mod runs;
 mod space;
 mod span;
+mod srgb;
 mod style;
 mod target;
 pub mod vary;
@@ -85,13 +87,14 @@ pub mod tone;
 pub use affine::{Affine, Placed};
 pub use angle::Angle;
 pub use arc::{Arc, Chord, Oval, Sector};
+pub use blend::{Alpha, Blend, BlendMode};
 pub use clip::{
     bounds::{BoundingBox, BoundingCircle, Verdict},
     convex::ConvexWindow,
     window::ClipWindow,
 };
 pub use colour::Light;
-pub use coverage::{Coverage, Covered};
+pub use coverage::{Coverage, CoverageCurve, Covered};
 pub use curve::Flatten;
 pub use display::{
     blit::{Blit, Part, RasterOp},
@@ -113,6 +116,7 @@ pub use display::{
 };
 pub use error::OutOfRange;
 pub use fragment::{
+    blend::{Blended, OnBackground, SoftBrush},
     gradient::{Extend, LinearGradient, RadialGradient},
     pattern::{Pattern, Stencil},
     picture::PictureInk,
@@ -143,7 +147,7 @@ pub use space::{
     CLIP_LIMIT, Clip, GUARD_BAND, LEAST_W, Model, Point2, Point3, Point4, Rect, Vector3, View, World, twice_area,
 };
 pub use span::{Sink, SpanFn};
-pub use style::{Cap, FillStyle, Join, Rule, Stroke, StrokeStyle};
+pub use style::{AntialiasedStyle, Cap, FillStyle, Join, Rule, Stroke, StrokeStyle};
 pub use target::{Brush, Code, Ink, Target};
 
 pub use tone::{

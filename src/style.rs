@@ -1,6 +1,9 @@
 //! How a shape is drawn as a `Drawable`: used as embedded-graphics' own `PrimitiveStyle` is used.
 
-use crate::num::{Subpixel, saturate_u16};
+use crate::{
+    coverage::CoverageCurve,
+    num::{SUBPIXELS, Subpixel, saturate_u16},
+};
 
 /// Which points are inside a polygon that crosses itself or has several contours.
 ///
@@ -168,5 +171,98 @@ impl<C> StrokeStyle<C> {
     #[must_use]
     pub fn with_stroke(self, stroke: Stroke) -> Self {
         Self { stroke, ..self }
+    }
+}
+
+/// Draws a shape antialiased: used as embedded-graphics' own `PrimitiveStyle` is, for its primitives too.
+///
+/// What is drawn are [`Alpha`](crate::Alpha) colours, for a [`Blended`](crate::Blended) target.
+///
+/// ```
+/// use aquatint::{AntialiasedStyle, Blended, Frame, Rows};
+/// use embedded_graphics::{pixelcolor::Gray2, prelude::*, primitives::Triangle};
+///
+/// let mut frame = Frame::<Gray2, Rows, _>::with_array([0; 32], 16, 8).unwrap();
+/// let style = AntialiasedStyle::fill(Gray2::new(1)).with_stroke(Gray2::WHITE, 1);
+/// let triangle = Triangle::new(Point::new(1, 1), Point::new(14, 2), Point::new(6, 7));
+/// triangle.into_styled(style).draw(&mut Blended::new(&mut frame))?;
+/// # assert_eq!(frame.bytes()[4..8], [0x0B, 0xF9, 0x54, 0x00], "{:x?}", frame.bytes());
+/// # Ok::<(), core::convert::Infallible>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct AntialiasedStyle<C> {
+    /// What the inside is filled with, if it is.
+    pub fill_color: Option<C>,
+    /// What is inside.
+    pub rule: Rule,
+    /// What the border is drawn with, if it is, over the inside.
+    pub stroke_color: Option<C>,
+    /// The shape of the border.
+    pub stroke: Stroke,
+    /// What is made of partly covered pixels.
+    pub curve: CoverageCurve,
+}
+
+impl<C> AntialiasedStyle<C> {
+    /// Nothing is drawn yet.
+    const NOTHING: Self = Self {
+        fill_color: None,
+        rule: Rule::NonZero,
+        stroke_color: None,
+        stroke: Stroke::new(1),
+        curve: CoverageCurve::LINEAR,
+    };
+
+    /// The inside, in one colour.
+    pub const fn fill(color: C) -> Self
+    where
+        C: Copy,
+    {
+        Self { fill_color: Some(color), ..Self::NOTHING }
+    }
+
+    /// The border, in one colour and so many pixels wide.
+    pub const fn stroke(color: C, pixels: u16) -> Self
+    where
+        C: Copy,
+    {
+        Self { stroke_color: Some(color), stroke: Stroke::new(pixels), ..Self::NOTHING }
+    }
+
+    /// The same with the inside in this colour.
+    #[must_use]
+    pub fn with_fill(self, color: C) -> Self {
+        Self { fill_color: Some(color), ..self }
+    }
+
+    /// The same with a border in this colour and so many pixels wide.
+    #[must_use]
+    pub fn with_stroke(self, color: C, pixels: u16) -> Self {
+        let stroke = Stroke { width: Stroke::new(pixels).width, ..self.stroke };
+        Self { stroke_color: Some(color), ..self }.with_shape(stroke)
+    }
+
+    /// The same with a border of another shape, such as a hairline.
+    #[must_use]
+    pub fn with_shape(self, stroke: Stroke) -> Self {
+        Self { stroke, ..self }
+    }
+
+    /// The same inside by another rule.
+    #[must_use]
+    pub fn with_rule(self, rule: Rule) -> Self {
+        Self { rule, ..self }
+    }
+
+    /// The same with partly covered pixels bolder or thinner.
+    #[must_use]
+    pub fn with_curve(self, curve: CoverageCurve) -> Self {
+        Self { curve, ..self }
+    }
+
+    /// How far inside of the border of a shape of whole pixels the middle of its stroke is: as embedded-graphics puts
+    /// it, an odd width has the greater half inside, so that its sides fall between pixels.
+    pub(crate) const fn inset(&self) -> i32 {
+        if self.stroke.width.to_bits() % (2 * SUBPIXELS) == SUBPIXELS { SUBPIXELS / 2 } else { 0 }
     }
 }

@@ -50,6 +50,19 @@ impl<'a> Levels<'a> {
         Ok(Self { lights })
     }
 
+    /// The light of a code; `None` beyond the last.
+    ///
+    /// ```
+    /// use aquatint::{Levels, Light};
+    ///
+    /// assert_eq!(Levels::LINEAR_4.light(1), Some(Light(21_845)));
+    /// assert_eq!(Levels::LINEAR_4.light(4), None);
+    /// ```
+    #[must_use]
+    pub fn light(&self, code: u8) -> Option<Light> {
+        self.lights.get(usize::from(code)).copied().map(Light)
+    }
+
     /// The last two neighbours the darker of which is not brighter than `light`, or the first two.
     pub(super) fn around(&self, light: Light) -> Step {
         let below = self.lights.partition_point(|&level| level <= light.0);
@@ -80,6 +93,11 @@ impl<'l> Shades<'l> {
     pub(super) const fn new(levels: Levels<'l>) -> Self {
         // A step at one light, with no level reached: black is below every threshold.
         Self { levels, from: 0, reach: 0, dark: 0, gap: 0, code: 0 }
+    }
+
+    /// The light of a code.
+    pub(super) fn light(&self, code: u8) -> Option<Light> {
+        self.levels.light(code)
     }
 
     /// The code of the brighter of two levels if the light is more than `threshold` / 65536 of the way to it, else

@@ -10,6 +10,7 @@
 //! Brush::new(target, ink))`, or as a [`FillStyle`](crate::FillStyle). An ink begins at its *anchor*: the
 //! corner of the screen, unless it is moved along with an object.
 
+pub mod blend;
 pub mod gradient;
 pub mod pattern;
 pub mod picture;

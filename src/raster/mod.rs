@@ -32,6 +32,7 @@
 //! ```
 
 mod active;
+pub mod antialiased;
 pub mod area;
 mod axes;
 pub mod bresenham;

@@ -20,86 +20,17 @@ use embedded_graphics::{
     Pixel,
     draw_target::DrawTarget,
     geometry::{Dimensions, Point},
-    pixelcolor::{
-        Bgr555, Bgr565, Bgr666, Bgr888, BinaryColor, Gray2, Gray4, Gray8, GrayColor, PixelColor, Rgb555, Rgb565,
-        Rgb666, Rgb888, RgbColor,
-    },
+    pixelcolor::PixelColor,
     primitives::Rectangle,
 };
 
 use super::{Mask, Method};
+pub use crate::srgb::{IntoLight, IntoSrgb};
 use crate::{
-    colour::Light,
     display::level::{Levels, Shades},
-    num::{high_u16, low_u8},
-    palette::Rgb332,
     space::Rect,
     target::{Code, Target, VisibleColors},
 };
-
-/// A colour that stands for an amount of light: its codes are sRGB.
-pub trait IntoLight: PixelColor {
-    /// The luminance.
-    fn into_light(self) -> Light;
-}
-
-impl IntoLight for BinaryColor {
-    /// On is white.
-    #[inline]
-    fn into_light(self) -> Light {
-        if self.is_on() { Light::WHITE } else { Light::BLACK }
-    }
-}
-
-macro_rules! greys_into_light {
-    ($($grey:ty: $step:literal),*) => { $(
-        impl IntoLight for $grey {
-            #[inline]
-            fn into_light(self) -> Light {
-                Light::from_srgb(self.luma() * $step)
-            }
-        }
-    )* };
-}
-
-greys_into_light!(Gray2: 85, Gray4: 17, Gray8: 1);
-
-/// The sRGB codes of a colour's channels.
-pub trait IntoSrgb: PixelColor {
-    /// Red, green and blue, 0 to 255.
-    fn into_srgb(self) -> [u8; 3];
-}
-
-macro_rules! colours_into_light {
-    ($($colour:ty),*) => { $(
-        impl IntoSrgb for $colour {
-            #[inline]
-            fn into_srgb(self) -> [u8; 3] {
-                [
-                    in_eight_bits::<{ <$colour>::MAX_R }>(self.r()),
-                    in_eight_bits::<{ <$colour>::MAX_G }>(self.g()),
-                    in_eight_bits::<{ <$colour>::MAX_B }>(self.b()),
-                ]
-            }
-        }
-
-        impl IntoLight for $colour {
-            #[inline]
-            fn into_light(self) -> Light {
-                Light::from_srgb_colour(self.into_srgb())
-            }
-        }
-    )* };
-}
-
-colours_into_light!(Rgb332, Rgb555, Rgb565, Rgb666, Rgb888, Bgr555, Bgr565, Bgr666, Bgr888);
-
-/// A channel of 0 to `MAX` as the nearest of 0 to 255.
-#[inline]
-const fn in_eight_bits<const MAX: u8>(channel: u8) -> u8 {
-    let step = const { (0xFF_0000 + MAX as u32 / 2) / MAX as u32 };
-    low_u8(high_u16(channel as u32 * step + 0x8000) as u32)
-}
 
 /// Chooses what of a panel shows a colour, given a threshold of 0 to 65535.
 pub trait Quantise<To>: Copy {

@@ -46,6 +46,8 @@ pub use rank::{BAYER_2X2, BAYER_4X4, BAYER_8X8, BAYER_16X16, RankMask, UnevenRan
 
 use core::ops::Range;
 
+use embedded_graphics::{geometry::Point, image::GetPixel};
+
 use crate::{
     colour::Light,
     display::level::{Levels, Shades},
@@ -261,5 +263,18 @@ where
             .zip(self.mask.row(row, visible.start))
             .map(move |(light, threshold)| light.map(|light| T::Color::from_code(shades.code(light, threshold))));
         self.target.write_run(row, visible, codes)
+    }
+}
+
+/// The light that is shown, by the levels of the panel: so that one can [blend](crate::Blended) on it.
+impl<T, C, M> GetPixel for Dithered<'_, '_, T, M>
+where
+    T: GetPixel<Color = C>,
+    C: Code,
+{
+    type Color = Light;
+
+    fn pixel(&self, point: Point) -> Option<Light> {
+        self.shades.light(self.target.pixel(point)?.code())
     }
 }
