@@ -15,7 +15,7 @@
 //!
 //! | stage | takes | gives |
 //! |---|---|---|
-//! | [`model`] | arrays in flash | a checked mesh |
+//! | [`model`] | arrays, fonts in flash | a checked mesh, typefaces |
 //! | [`geometry`] | vertices, matrices, a lamp | screen points with depth; light |
 //! | [`clip`] | lines, polygons, points in clip space | what is inside |
 //! | [`raster`] | lines, outlines, strokes, triangles | spans |
@@ -57,7 +57,9 @@ mod arc;
 mod colour;
 pub mod curve;
 mod edge;
+mod em;
 mod error;
+mod lines;
 mod matrix;
 mod num;
 mod on_draw_target;
@@ -69,6 +71,8 @@ mod space;
 mod span;
 mod style;
 mod target;
+pub mod text;
+mod typeface;
 pub mod vary;
 
 pub mod clip;
@@ -116,6 +120,9 @@ pub use fragment::{
     picture::PictureInk,
 };
 pub use matrix::Matrix;
+pub use model::hershey::Hershey;
+#[cfg(feature = "ttf")]
+pub use model::ttf::{FontError, TrueType};
 pub use num::{Scalar, Subpixel};
 pub use on_draw_target::OnDrawTarget;
 pub use outcode::Outcode;
@@ -142,6 +149,7 @@ pub use space::{
 pub use span::{Sink, SpanFn};
 pub use style::{Cap, FillStyle, Join, Rule, Stroke, StrokeStyle};
 pub use target::{Brush, Code, Ink, Target};
+pub use text::{Glyphs, Text};
 
 pub use tone::{
     colour_matrix::ColourMatrix,
@@ -152,6 +160,7 @@ pub use tone::{
     xyz::{Chromaticity, Gamut, Xyz},
     ycbcr::YCbCr,
 };
+pub use typeface::{FontMetrics, Glyph, GlyphBox, GlyphId, GlyphPen, Typeface};
 
 /// Compiles what the README shows.
 #[cfg(doctest)]
