@@ -46,6 +46,10 @@
 //! # assert_eq!(bytes_for_the_bus.len(), 1024);
 //! # Ok::<(), core::convert::Infallible>(())
 //! ```
+//!
+//! # Features
+//!
+//! - `ttf`: [text] from TrueType and OpenType fonts, read by `ttf-parser`. Stroke fonts are there without.
 
 #![no_std]
 #![forbid(unsafe_code)]

@@ -18,6 +18,7 @@
 //! back: where kerning is larger than the advance, it stays.
 //!
 //! There is no shaping: one glyph a character, from left to right, without ligatures or marks that are attached to others.
+//! A line end is `\n` or `\r\n`; tabs and other controls are characters, which fonts have not as a rule.
 
 use embedded_graphics::text::Alignment;
 

@@ -19,9 +19,9 @@ struct Layout {
     map: Option<[i32; 4]>,
     alignment: u8,
     is_snapped: bool,
-    /// Bytes to be changed in a font that is right.
+    /// Bytes to be changed in a font that is right, with quadratic or with cubic curves; or only bytes.
     changes: Vec<(u16, u8)>,
-    is_changed: bool,
+    is_cubic: Option<bool>,
 }
 
 impl Layout {
@@ -55,12 +55,13 @@ fn use_all<F: Typeface>(text: &Text<'_, F>) {
 fuzz_target!(|data: &[u8]| {
     let mut data = Unstructured::new(data);
     let Ok(layout) = Layout::arbitrary(&mut data) else { return };
-    let inter = include_bytes!("../../examples/assets/inter.ttf");
-    let mut bytes = data.take_rest().to_vec();
-    if layout.is_changed {
-        bytes = inter.to_vec();
-        for (place, value) in &layout.changes {
-            let place = usize::from(*place) % bytes.len();
+    let mut bytes = match layout.is_cubic {
+        Some(false) => include_bytes!("../../examples/assets/inter.ttf").to_vec(),
+        Some(true) => include_bytes!("../../tests/text/sample.otf").to_vec(),
+        None => data.take_rest().to_vec(),
+    };
+    for (place, value) in &layout.changes {
+        if let Some(place) = usize::from(*place).checked_rem(bytes.len()) {
             bytes[place] = *value;
         }
     }

@@ -134,7 +134,7 @@ impl Typeface for Hershey<'_> {
         let Some((left, _, points)) = self.data(glyph) else { return trace_box(pen) };
         let mut is_down = false;
         for pair in points.chunks_exact(2) {
-            let Some([x, y]) = point(pair, left).map(|point| point.map(Scalar::from_num)) else {
+            let Some([x, y]) = point(pair, left).map(|point| point.map(Scalar::saturating_from_num)) else {
                 is_down = false;
                 continue;
             };
@@ -191,7 +191,7 @@ const fn joined(one: GlyphBox, other: GlyphBox) -> GlyphBox {
 
 fn trace_box<P: Pen>(pen: &mut GlyphPen<'_, P>) {
     let GlyphBox { left, bottom, right, top } = MISSING;
-    let [left, bottom, right, top] = [left, bottom, right, top].map(Scalar::from_num);
+    let [left, bottom, right, top] = [left, bottom, right, top].map(Scalar::saturating_from_num);
     pen.move_to(left, bottom);
     pen.line_to(right, bottom);
     pen.line_to(right, top);

@@ -89,7 +89,8 @@ fn by_subtable(table: &[u8], left: u16, right: u16) -> Option<i16> {
             let [first, second] = [(8, left), (10, right)].map(|(at, glyph)| class(table_at(table, at), glyph));
             let (rows, columns) = (usize_at(table, 12)?, usize_at(table, 14)?);
             let is_inside = first < rows && second < columns;
-            let at = 16 + (first * columns + second) * (sizes[0] + sizes[1]);
+            let place = first.saturating_mul(columns).saturating_add(second);
+            let at = place.saturating_mul(sizes[0] + sizes[1]).saturating_add(16);
             is_inside.then(|| advance(table, at, formats[0])).flatten()
         }
         _ => None,
@@ -103,7 +104,7 @@ const fn value_size(format: u16) -> usize {
 
 /// The change of the advance, behind those of the place.
 fn advance(table: &[u8], value: usize, format: u16) -> Option<i16> {
-    if format & 4 == 0 { Some(0) } else { i16_at(table, value + value_size(format & 3)) }
+    if format & 4 == 0 { Some(0) } else { i16_at(table, value.saturating_add(value_size(format & 3))) }
 }
 
 /// Which one a glyph is among those that are covered.
