@@ -75,6 +75,11 @@ impl Affine {
         Self::translation(back).then(self).then(Self::translation(centre))
     }
 
+    /// What x and y give to the new x and to the new y, and where the corner of the screen goes.
+    pub(crate) const fn parts(self) -> ([Scalar; 2], [Scalar; 2], Point2) {
+        (self.x, self.y, self.origin)
+    }
+
     /// First this one, then another. Elements saturate and are rounded to 16.16, each time anew.
     #[must_use]
     pub fn then(self, next: Self) -> Self {

@@ -15,7 +15,7 @@
 //!
 //! | stage | takes | gives |
 //! |---|---|---|
-//! | [`model`] | arrays in flash | a checked mesh |
+//! | [`model`] | arrays, fonts in flash | a checked mesh, typefaces |
 //! | [`geometry`] | vertices, matrices, a lamp | screen points with depth; light |
 //! | [`clip`] | lines, polygons, points in clip space | what is inside |
 //! | [`raster`] | lines, outlines, strokes, triangles | spans |
@@ -46,6 +46,10 @@
 //! # assert_eq!(bytes_for_the_bus.len(), 1024);
 //! # Ok::<(), core::convert::Infallible>(())
 //! ```
+//!
+//! # Features
+//!
+//! - `ttf`: [text] from TrueType and OpenType fonts, read by `ttf-parser`. Stroke fonts are there without.
 
 #![no_std]
 #![forbid(unsafe_code)]
@@ -59,7 +63,9 @@ mod colour;
 mod coverage;
 pub mod curve;
 mod edge;
+mod em;
 mod error;
+mod lines;
 mod matrix;
 mod num;
 mod on_draw_target;
@@ -72,6 +78,8 @@ mod span;
 mod srgb;
 mod style;
 mod target;
+pub mod text;
+mod typeface;
 pub mod vary;
 
 pub mod clip;
@@ -122,6 +130,9 @@ pub use fragment::{
     picture::PictureInk,
 };
 pub use matrix::Matrix;
+pub use model::hershey::Hershey;
+#[cfg(feature = "ttf")]
+pub use model::ttf::{FontError, TrueType};
 pub use num::{Scalar, Subpixel};
 pub use on_draw_target::OnDrawTarget;
 pub use outcode::Outcode;
@@ -149,6 +160,7 @@ pub use space::{
 pub use span::{Sink, SpanFn};
 pub use style::{AntialiasedStyle, Cap, FillStyle, Join, Rule, Stroke, StrokeStyle};
 pub use target::{Brush, Code, Ink, Target};
+pub use text::{Glyphs, Text};
 
 pub use tone::{
     colour_matrix::ColourMatrix,
@@ -159,6 +171,7 @@ pub use tone::{
     xyz::{Chromaticity, Gamut, Xyz},
     ycbcr::YCbCr,
 };
+pub use typeface::{FontMetrics, Glyph, GlyphBox, GlyphId, GlyphPen, Typeface};
 
 /// Compiles what the README shows.
 #[cfg(doctest)]

@@ -171,3 +171,11 @@ pub(crate) const fn saturate_i16(value: i64) -> i16 {
 pub(crate) const fn multiply_60(a: u64, b: u64) -> u64 {
     ((a as u128 * b as u128) >> 60) as u64
 }
+
+/// The nearest 16.16 number towards zero, saturated; 0 for what is not a number.
+#[cfg(feature = "ttf")]
+#[inline]
+#[expect(clippy::cast_possible_truncation, reason = "a float-to-int cast saturates")]
+pub(crate) fn scalar_of_f32(value: f32) -> Scalar {
+    Scalar::from_bits((value * 65_536.0) as i32)
+}

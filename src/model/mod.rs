@@ -1,8 +1,12 @@
 //! Modelling: what is drawn. Lecture 2.1.
 //!
-//! - **Takes** arrays that may live in flash.
-//! - **Gives** a [`Mesh`](mesh::Mesh) whose indices are known to be right.
+//! - **Takes** arrays and fonts that may live in flash.
+//! - **Gives** a [`Mesh`](mesh::Mesh) whose indices are known to be right; [typefaces](crate::Typeface) for
+//!   [text](crate::text).
 //! - **Memory** none: everything is borrowed.
-//! - **Cost** one look at every index, at compile time for a constant.
+//! - **Cost** one look at every index, at compile time for a constant. Of a font only the beginnings of its tables.
 
+pub mod hershey;
 pub mod mesh;
+#[cfg(feature = "ttf")]
+pub mod ttf;

@@ -50,6 +50,7 @@ pub mod rounded_rectangle;
 pub mod scan;
 pub mod stipple;
 pub mod stroke;
+mod text;
 pub mod thick_line;
 mod thin;
 pub mod triangle;

@@ -25,6 +25,8 @@ use crate::{
     span::Sink,
     style::{Join, Stroke, StrokeStyle},
     target::Paint,
+    text::Text,
+    typeface::Typeface,
 };
 
 /// Edges in the list on the stack: 768 bytes.
@@ -115,6 +117,24 @@ impl<C: PixelColor, O: Outline> StyledDrawable<StrokeStyle<C>> for Dashed<'_, O>
     fn draw_styled<D: DrawTarget<Color = C>>(&self, style: &StrokeStyle<C>, target: &mut D) -> Result<(), D::Error> {
         let seen = grown(target.bounding_box().into(), style.stroke);
         draw(&self.seen(seen), style, target)
+    }
+}
+
+impl<C: PixelColor, F: Typeface> StyledDimensions<StrokeStyle<C>> for Text<'_, F> {
+    /// The smallest rectangle of pixels that holds all corners of the strokes.
+    fn styled_bounding_box(&self, style: &StrokeStyle<C>) -> Rectangle {
+        bounding_box(&Stroked::new(self, style.stroke))
+    }
+}
+
+impl<C: PixelColor, F: Typeface> StyledDrawable<StrokeStyle<C>> for Text<'_, F> {
+    type Color = C;
+    type Output = ();
+
+    /// One glyph after the other, as other outlines; those that cannot be seen on the target are skipped.
+    fn draw_styled<D: DrawTarget<Color = C>>(&self, style: &StrokeStyle<C>, target: &mut D) -> Result<(), D::Error> {
+        let seen = grown(target.bounding_box().into(), style.stroke);
+        self.glyphs(seen).try_for_each(|glyph| draw(&glyph, style, target))
     }
 }
 
