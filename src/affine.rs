@@ -14,7 +14,7 @@ use embedded_graphics::{geometry::Point, transform::Transform};
 use crate::{
     angle::Angle,
     num::{Scalar, Subpixel, saturate_i32},
-    outline::{Outline, Pen},
+    outline::{FINE, Outline, Pen},
     space::Point2,
 };
 
@@ -97,8 +97,15 @@ impl Affine {
     /// Where a point goes. Two 64-bit multiplications and one rounding a coordinate.
     #[must_use]
     pub fn apply(self, point: Point2) -> Point2 {
+        self.apply_times(1, point)
+    }
+
+    /// Where a point goes on a screen so many times as large.
+    fn apply_times(self, times: i32, point: Point2) -> Point2 {
         let [x, y] = [point.x.to_bits(), point.y.to_bits()];
-        let place = |row, origin: Subpixel| saturate_i32(combined(row, [x, y]).saturating_add(origin.to_bits().into()));
+        let place = |row, origin: Subpixel| {
+            saturate_i32(combined(row, [x, y]).saturating_add(i64::from(origin.to_bits()) * i64::from(times)))
+        };
         Point2::from_sixteenths(place(self.x, self.origin.x), place(self.y, self.origin.y))
     }
 }
@@ -154,7 +161,14 @@ impl<O: Outline> Placed<O> {
 
 impl<O: Outline> Outline for Placed<O> {
     fn trace<P: Pen>(&self, pen: &mut P) {
-        self.outline.trace(&mut Mapped { pen, map: self.map });
+        self.outline.trace(&mut Mapped { pen, map: self.map, times: 1 });
+    }
+
+    /// The edges that the outline itself is traced by for antialiasing, mapped: sixteen times as near to its curves.
+    /// Points of it that are out of range, 4,194,304 pixels or more from the origin, are moved to the border of the
+    /// range before.
+    fn trace_fine<P: Pen>(&self, pen: &mut P) {
+        self.outline.trace_fine(&mut Mapped { pen, map: self.map, times: FINE });
     }
 }
 
@@ -170,19 +184,20 @@ impl<O: Outline + Clone> Transform for Placed<O> {
     }
 }
 
-/// Hands mapped points on.
+/// Hands mapped points on, of a screen so many times as large.
 struct Mapped<'p, P> {
     pen: &'p mut P,
     map: Affine,
+    times: i32,
 }
 
 impl<P: Pen> Pen for Mapped<'_, P> {
     fn move_to(&mut self, point: Point2) {
-        self.pen.move_to(self.map.apply(point));
+        self.pen.move_to(self.map.apply_times(self.times, point));
     }
 
     fn line_to(&mut self, point: Point2) {
-        self.pen.line_to(self.map.apply(point));
+        self.pen.line_to(self.map.apply_times(self.times, point));
     }
 
     fn close(&mut self) {

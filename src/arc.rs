@@ -11,7 +11,7 @@
 //! ```
 //!
 //! - **Takes** a centre and two radii in sixteenths of a pixel, a start and a sweep in [`Angle`]s.
-//! - **Gives** a [`Pen`] vertices. Each is computed for itself, so nothing drifts; whole ovals are symmetric in
+//! - **Gives** a [`Pen`] vertices, on sixteenths of a pixel or, for antialiasing, on 256ths. Each is computed for itself, so nothing drifts; whole ovals are symmetric in
 //!   both axes to the last bit.
 //! - **Memory** none.
 //! - **Cost** a vertex is eight multiplications of 64 bits; no division. A whole circle has 128 vertices at a
@@ -22,7 +22,7 @@ use crate::{
     edge::LIMIT,
     error::OutOfRange,
     num::{Subpixel, low_i32, low_u32},
-    outline::{Outline, Pen},
+    outline::{FINE, Outline, Pen, enlarged, trace_large},
     space::Point2,
 };
 
@@ -81,6 +81,12 @@ impl Oval {
         Arc::new(self, start, sweep)
     }
 
+    /// The same sixteen times as large, if that is in range.
+    fn enlarged(&self) -> Option<Self> {
+        let radii = self.radii.map(|radius| Subpixel::from_bits(radius.to_bits() * FINE));
+        Self::new(enlarged(self.center), radii).ok()
+    }
+
     /// The vertex at a turn of 2³² parts, to the nearest sixteenth on each axis.
     fn vertex(&self, turn: u32) -> Point2 {
         let (sin, cos) = sine_and_cosine(turn);
@@ -106,6 +112,11 @@ impl Outline for Oval {
             vertices.take(rest).for_each(|vertex| pen.line_to(vertex));
             pen.close();
         }
+    }
+
+    /// With vertices on 256ths of a pixel where all of it is less than 262,144 pixels from the origin.
+    fn trace_fine<P: Pen>(&self, pen: &mut P) {
+        trace_large(self.enlarged(), self, pen);
     }
 }
 
@@ -153,6 +164,11 @@ impl Arc {
         self.oval.vertex(u32::from(self.start.0) << 16)
     }
 
+    /// The same sixteen times as large, if that is in range.
+    pub(crate) fn enlarged(&self) -> Option<Self> {
+        Some(Self { oval: self.oval.enlarged()?, ..*self })
+    }
+
     /// The vertices, the first and the last included.
     pub(crate) fn vertices(&self) -> Vertices {
         let k = self.halvings();
@@ -178,6 +194,11 @@ impl Outline for Arc {
             pen.move_to(first);
             vertices.for_each(|vertex| pen.line_to(vertex));
         }
+    }
+
+    /// As [`Oval`].
+    fn trace_fine<P: Pen>(&self, pen: &mut P) {
+        trace_large(self.enlarged(), self, pen);
     }
 }
 
@@ -215,6 +236,11 @@ impl Outline for Chord {
         self.0.trace(pen);
         pen.close();
     }
+
+    /// As [`Oval`].
+    fn trace_fine<P: Pen>(&self, pen: &mut P) {
+        trace_large(self.0.enlarged().map(Self), self, pen);
+    }
 }
 
 /// A piece of a pie: an arc and straight edges from its ends to the centre.
@@ -232,5 +258,10 @@ impl Outline for Sector {
         pen.move_to(self.0.oval.center);
         self.0.vertices().for_each(|vertex| pen.line_to(vertex));
         pen.close();
+    }
+
+    /// As [`Oval`].
+    fn trace_fine<P: Pen>(&self, pen: &mut P) {
+        trace_large(self.0.enlarged().map(Self), self, pen);
     }
 }

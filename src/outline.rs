@@ -44,8 +44,13 @@ pub trait Outline {
     ///
     /// Without its own implementation an outline is traced as ever and enlarged. One with curves does better to cut
     /// them for that size: coverage shows a sixteenth of a pixel, which the 1-bit fills do not.
+    ///
+    /// The outlines of this crate do so where they are less than 262,144 pixels from the origin; their vertices are
+    /// as near to the curve then as those of [`trace`](Self::trace), in 256ths instead of sixteenths. Farther out it
+    /// is the same contour as ever, enlarged. Coordinates are less than 2³⁰ from zero; a pen clamps what others draw
+    /// beyond.
     fn trace_fine<P: Pen>(&self, pen: &mut P) {
-        self.trace(&mut Enlarged { pen });
+        trace_enlarged(self, pen);
     }
 }
 
@@ -74,7 +79,20 @@ impl<O: Outline> Outline for &O {
     }
 }
 
-/// The pen of [`Outline::trace_fine`] for outlines that know nothing of it.
+/// [`Outline::trace_fine`] for outlines that know nothing of it.
+pub(crate) fn trace_enlarged<O: Outline + ?Sized, P: Pen>(outline: &O, pen: &mut P) {
+    outline.trace(&mut Enlarged { pen });
+}
+
+/// Traces a shape that was made sixteen times as large, or, where that did not fit, the shape itself, enlarged.
+pub(crate) fn trace_large<O: Outline, P: Pen>(large: Option<O>, outline: &O, pen: &mut P) {
+    match large {
+        Some(large) => large.trace(pen),
+        None => trace_enlarged(outline, pen),
+    }
+}
+
+/// The pen of [`trace_enlarged`].
 struct Enlarged<'p, P> {
     pen: &'p mut P,
 }
@@ -101,6 +119,21 @@ impl<P: Pen> Pen for Enlarged<'_, P> {
 pub(crate) fn enlarged(point: Point2) -> Point2 {
     let Point2 { x, y } = in_range(point);
     Point2::from_sixteenths(x.to_bits() * FINE, y.to_bits() * FINE)
+}
+
+/// The point sixteen times as far out, if curves can be computed there.
+pub(crate) fn fine(point: Point2) -> Option<Point2> {
+    point.within(LIMIT / FINE.cast_unsigned()).then(|| enlarged(point))
+}
+
+/// Whether all points of an outline, as [`trace_fine`](Outline::trace_fine) will draw them, are less than
+/// [`LIMIT`] from zero even when they are moved by `reach` sixteenths. One coarse trace.
+pub(crate) fn is_fine_within<O: Outline>(outline: &O, reach: u32) -> bool {
+    // A fine point is hardly a sixteenth from the coarse contour, 18 at the most where curves are cut too coarsely.
+    let limit = (LIMIT / FINE.cast_unsigned()).saturating_sub(reach).saturating_sub(32);
+    let mut extent = Extent(None);
+    outline.trace(&mut extent);
+    extent.0.is_none_or(|(least, most)| least.within(limit) && most.within(limit))
 }
 
 /// An edge that owns the centre of a row: where it begins and ends, from above, and which way it winds.

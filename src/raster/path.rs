@@ -2,7 +2,7 @@
 //!
 //! - **Takes** segments, borrowed and checked.
 //! - **Gives** an [`Outline`] of straight edges, at most one sixteenth of a pixel off: see
-//!   [`curve`](crate::curve), and [`Arc`] for arcs.
+//!   [`curve`](crate::curve), and [`Arc`] for arcs; or sixteen times as large, at most one 256th off.
 //! - **Memory** none: curves are cut anew each time that the path is traced.
 
 use crate::{
@@ -10,7 +10,7 @@ use crate::{
     curve::Flatten,
     edge::LIMIT,
     error::OutOfRange,
-    outline::{Outline, Pen},
+    outline::{Outline, Pen, fine, trace_enlarged},
     space::Point2,
 };
 
@@ -38,6 +38,29 @@ impl Segment {
             Self::QuadTo(one, other) => one.within(LIMIT) && other.within(LIMIT),
             Self::CubicTo(one, other, to) => one.within(LIMIT) && other.within(LIMIT) && to.within(LIMIT),
             Self::Arc(_) | Self::Close => true,
+        }
+    }
+
+    /// The same sixteen times as large, if that is in range.
+    fn enlarged(&self) -> Option<Self> {
+        Some(match *self {
+            Self::MoveTo(point) => Self::MoveTo(fine(point)?),
+            Self::LineTo(to) => Self::LineTo(fine(to)?),
+            Self::QuadTo(control, to) => Self::QuadTo(fine(control)?, fine(to)?),
+            Self::CubicTo(one, other, to) => Self::CubicTo(fine(one)?, fine(other)?, fine(to)?),
+            Self::Arc(arc) => Self::Arc(arc.enlarged()?),
+            Self::Close => Self::Close,
+        })
+    }
+
+    fn draw<P: Pen>(&self, pen: &mut Flatten<P>) {
+        match *self {
+            Self::MoveTo(point) => pen.move_to(point),
+            Self::LineTo(to) => pen.line_to(to),
+            Self::QuadTo(control, to) => pen.quad_to(control, to),
+            Self::CubicTo(one, other, to) => pen.cubic_to(one, other, to),
+            Self::Arc(ref arc) => pen.arc(arc),
+            Self::Close => pen.close(),
         }
     }
 }
@@ -97,15 +120,17 @@ impl<'a> Path<'a> {
 impl Outline for Path<'_> {
     fn trace<P: Pen>(&self, pen: &mut P) {
         let mut pen = Flatten::new(pen);
-        for segment in self.segments {
-            match *segment {
-                Segment::MoveTo(point) => pen.move_to(point),
-                Segment::LineTo(to) => pen.line_to(to),
-                Segment::QuadTo(control, to) => pen.quad_to(control, to),
-                Segment::CubicTo(one, other, to) => pen.cubic_to(one, other, to),
-                Segment::Arc(arc) => pen.arc(&arc),
-                Segment::Close => pen.close(),
-            }
+        self.segments.iter().for_each(|segment| segment.draw(&mut pen));
+    }
+
+    /// Curves are cut for 256ths of a pixel where all points are less than 262,144 pixels from the origin.
+    fn trace_fine<P: Pen>(&self, pen: &mut P) {
+        let large = || self.segments.iter().map(Segment::enlarged);
+        if large().all(|segment| segment.is_some()) {
+            let mut pen = Flatten::new(pen);
+            large().flatten().for_each(|segment| segment.draw(&mut pen));
+        } else {
+            trace_enlarged(self, pen);
         }
     }
 }

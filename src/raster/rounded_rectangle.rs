@@ -16,7 +16,7 @@ use crate::{
     edge::LIMIT,
     error::OutOfRange,
     num::{Subpixel, divide_floor, saturate_i32},
-    outline::{Outline, Pen},
+    outline::{FINE, Outline, Pen, fine, trace_large},
     space::Point2,
 };
 
@@ -85,6 +85,14 @@ impl RoundedRectangle {
         self.radii
     }
 
+    /// The same sixteen times as large, if that is in range.
+    fn enlarged(&self) -> Option<Self> {
+        let (top_left, bottom_right) = (fine(self.top_left)?, fine(self.bottom_right)?);
+        // They fit between the corners.
+        let radii = self.radii.map(|radius| Subpixel::from_bits(radius.to_bits() * FINE));
+        Some(Self { top_left, bottom_right, radii })
+    }
+
     /// The corners: how far into the rectangle its circle has its centre, and where its arc begins.
     fn corners(&self) -> [(Point2, Angle); 4] {
         let (Point2 { x: left, y: top }, Point2 { x: right, y: bottom }) = (self.top_left, self.bottom_right);
@@ -114,5 +122,10 @@ impl Outline for RoundedRectangle {
             }
         }
         pen.close();
+    }
+
+    /// With vertices on 256ths of a pixel where it is less than 262,144 pixels from the origin.
+    fn trace_fine<P: Pen>(&self, pen: &mut P) {
+        trace_large(self.enlarged(), self, pen);
     }
 }

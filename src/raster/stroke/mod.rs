@@ -1,6 +1,6 @@
 //! Strokes: thick lines along any outline, with joins and caps.
 //!
-//! - **Takes** an [`Outline`] and a [`Stroke`]: width, [`Join`](crate::Join), [`Cap`](crate::Cap).
+//! - **Takes** an [`Outline`] and a [`Stroke`]: width, [`Join`], [`Cap`](crate::Cap).
 //! - **Gives** an outline again: closed pieces, all of them clockwise on the screen. Filled by the
 //!   [non-zero rule](crate::Rule::NonZero) they are one shape, of which no pixel is drawn twice.
 //! - **Memory** the first and the last segment of a contour, some 90 bytes.
@@ -42,11 +42,11 @@ use self::{
 };
 use crate::{
     edge::LIMIT,
-    outline::{Outline, Pen},
+    outline::{FINE, Outline, Pen, is_fine_within, trace_enlarged},
     raster::scan::{ActiveEdge, fill},
     space::Point2,
     span::Sink,
-    style::{Rule, Stroke},
+    style::{Join, Rule, Stroke},
 };
 
 /// Points are moved to less than this many sixteenths from the origin, so that their borders are in range.
@@ -60,6 +60,8 @@ const REACH: u32 = LIMIT - (1 << 16);
 ///
 /// Coordinates may be anything; points farther than 4,190,208 pixels from the origin are moved there. The width
 /// is at most [`Stroke::WIDEST`], wider ones are drawn that wide; one that is not positive draws nothing.
+///
+/// For antialiasing all of that is done in 256ths of a pixel: [`trace_fine`](Outline::trace_fine).
 ///
 /// ```
 /// use aquatint::{Join, Point2, Polygon, Rect, Rule, SpanFn, Stroke, raster::{scan::ActiveEdge, stroke::Stroked}};
@@ -92,11 +94,32 @@ struct Shape {
     turn: (i32, i32),
 }
 
+impl Shape {
+    fn new(stroke: Stroke, width: u16) -> Self {
+        Self { stroke, width, turn: turn_for(width) }
+    }
+
+    /// The same sixteen times as wide, if that is in range.
+    fn enlarged(&self) -> Option<Self> {
+        let width = u16::try_from(i32::from(self.width) * FINE).ok()?;
+        Some(Self::new(self.stroke, width))
+    }
+
+    /// How far from its line the stroke reaches in x or in y, in sixteenths, rounded up.
+    fn reach(&self) -> u32 {
+        // The corner of a square cap is √2 times half the width from the line, a tip `limit` times.
+        let times = match self.stroke.join {
+            Join::Miter { limit } => u32::from(limit).max(2),
+            Join::Round | Join::Bevel => 2,
+        };
+        u32::from(self.width) * times / 2 + 2
+    }
+}
+
 impl<O: Outline> Stroked<O> {
     /// The stroke of an outline, or of a reference to one.
     pub fn new(outline: O, stroke: Stroke) -> Self {
-        let width = stroke.sixteenths();
-        Self { outline, shape: Shape { stroke, width, turn: turn_for(width) } }
+        Self { outline, shape: Shape::new(stroke, stroke.sixteenths()) }
     }
 
     /// Emits the spans of the whole inside the bounds of `sink`, from top to bottom and from left to right: [`fill`].
@@ -114,13 +137,23 @@ impl<O: Outline> Stroked<O> {
 
 impl<O: Outline> Outline for Stroked<O> {
     fn trace<P: Pen>(&self, pen: &mut P) {
-        if self.shape.width == 0 {
-            return;
+        if self.shape.width > 0 {
+            let mut stroker = Stroker::new(pen, self.shape);
+            self.outline.trace(&mut stroker);
+            stroker.end();
         }
-        let mut stroker =
-            Stroker { pen, shape: self.shape, begin: Point2::default(), last: Point2::default(), path: Path::Begun };
-        self.outline.trace(&mut stroker);
-        stroker.end();
+    }
+
+    /// Corners are rounded to 256ths of a pixel where the stroke is less than 256 pixels wide and less than 262,144
+    /// pixels from the origin. To know that, the inner outline is traced once more.
+    fn trace_fine<P: Pen>(&self, pen: &mut P) {
+        let large = self.shape.enlarged().filter(|_| is_fine_within(&self.outline, self.shape.reach()));
+        let Some(shape) = large else { return trace_enlarged(self, pen) };
+        if shape.width > 0 {
+            let mut stroker = Stroker::new(pen, shape);
+            self.outline.trace_fine(&mut stroker);
+            stroker.end();
+        }
     }
 }
 
@@ -180,7 +213,11 @@ impl<P: Pen> Pen for Stroker<'_, P> {
     }
 }
 
-impl<P: Pen> Stroker<'_, P> {
+impl<'p, P: Pen> Stroker<'p, P> {
+    fn new(pen: &'p mut P, shape: Shape) -> Self {
+        Self { pen, shape, begin: Point2::default(), last: Point2::default(), path: Path::Begun }
+    }
+
     /// A contour ends that has not been closed.
     fn end(&mut self) {
         let ends = match self.path {

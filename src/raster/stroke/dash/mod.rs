@@ -36,7 +36,7 @@ use super::direction::{Direction, between};
 use crate::{
     edge::LIMIT,
     num::Subpixel,
-    outline::{Outline, Pen},
+    outline::{Outline, Pen, is_fine_within, trace_enlarged},
     space::{Point2, Rect},
 };
 
@@ -107,21 +107,21 @@ impl<O: Outline> Outline for Dashed<'_, O> {
         if self.pattern.is_too_fine() {
             return self.outline.trace(pen);
         }
-        let start = self.pattern.start();
-        let at = Point2::default();
-        let sight = self.window.map(Sight::of);
-        let mut dasher = Dasher {
-            pen,
-            pattern: self.pattern,
-            sight,
-            start,
-            phase: start,
-            begin: at,
-            last: at,
-            first: None,
-            is_down: false,
-        };
+        let mut dasher = Dasher::new(pen, self.pattern, self.window.map(Sight::of));
         self.outline.trace(&mut dasher);
+    }
+
+    /// Dashes begin and end on 256ths of a pixel where the outline is less than 262,144 pixels from the origin. To know
+    /// that, it is traced once more. The curves of the outline are traced finely too, which makes them a little longer.
+    fn trace_fine<P: Pen>(&self, pen: &mut P) {
+        if self.pattern.is_too_fine() {
+            return self.outline.trace_fine(pen);
+        }
+        if !is_fine_within(&self.outline, 0) {
+            return trace_enlarged(self, pen);
+        }
+        let sight = self.window.map(|window| Sight::of(window).enlarged());
+        self.outline.trace_fine(&mut Dasher::new(pen, self.pattern.enlarged(), sight));
     }
 }
 
@@ -172,7 +172,12 @@ impl<P: Pen> Pen for Dasher<'_, '_, P> {
     }
 }
 
-impl<P: Pen> Dasher<'_, '_, P> {
+impl<'p, 'a, P: Pen> Dasher<'p, 'a, P> {
+    fn new(pen: &'p mut P, pattern: Pattern<'a>, sight: Option<Sight>) -> Self {
+        let (start, at) = (pattern.start(), Point2::default());
+        Self { pen, pattern, sight, start, phase: start, begin: at, last: at, first: None, is_down: false }
+    }
+
     fn segment(&mut self, segment: &Segment) {
         let seen =
             self.sight.map_or(0..segment.length, |sight| sight.part(segment.from, segment.direction, segment.length));

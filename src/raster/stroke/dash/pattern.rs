@@ -2,6 +2,7 @@
 
 use crate::{
     num::{SUBPIXELS, Subpixel},
+    outline::FINE,
     raster::stroke::direction::LENGTH_FRACTION,
 };
 
@@ -18,6 +19,8 @@ pub(super) struct Pattern<'a> {
     period: i64,
     /// Less than the period.
     offset: i64,
+    /// How many times as long as they say the lengths are.
+    times: i32,
 }
 
 /// A place in the pattern.
@@ -33,7 +36,13 @@ impl<'a> Pattern<'a> {
     pub(super) fn new(lengths: &'a [Subpixel], offset: Subpixel) -> Self {
         let sum = lengths.iter().map(|length| unit(length.to_bits().max(0))).fold(0, i64::saturating_add);
         let period = if lengths.len().is_multiple_of(2) { sum } else { sum.saturating_mul(2) };
-        Self { lengths, period, offset: unit(offset.to_bits()).checked_rem_euclid(period).unwrap_or(0) }
+        Self { lengths, period, offset: unit(offset.to_bits()).checked_rem_euclid(period).unwrap_or(0), times: 1 }
+    }
+
+    /// The same sixteen times as long.
+    pub(super) fn enlarged(self) -> Self {
+        let [period, offset] = [self.period, self.offset].map(|length| length.saturating_mul(FINE.into()));
+        Self { period, offset, times: FINE, ..self }
     }
 
     /// Shorter than a pixel: its gaps could not be seen.
@@ -52,7 +61,7 @@ impl<'a> Pattern<'a> {
     }
 
     fn length(&self, index: usize) -> i64 {
-        self.lengths.get(index).map_or(0, |length| unit(length.to_bits().max(0)))
+        self.lengths.get(index).map_or(0, |length| unit(length.to_bits().max(0)) * i64::from(self.times))
     }
 
     /// The place some distance behind the beginning, less than the period.

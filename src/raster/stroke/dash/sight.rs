@@ -15,6 +15,7 @@ use super::pattern::unit;
 use crate::{
     edge::LIMIT,
     num::SUBPIXELS,
+    outline::{FINE, enlarged},
     raster::stroke::direction::{Direction, between},
     space::{Point2, Rect},
 };
@@ -34,6 +35,11 @@ impl Sight {
         let half = SUBPIXELS / 2;
         let centre = Point2::from_sixteenths((left + right) * half, (top + bottom) * half);
         Self { centre, radius: unit((right - left).max(0) * half) + unit((bottom - top).max(0) * half) }
+    }
+
+    /// The same sixteen times as large.
+    pub(super) fn enlarged(self) -> Self {
+        Self { centre: enlarged(self.centre), radius: self.radius * i64::from(FINE) }
     }
 
     /// The part of a segment that is in the disc.
