@@ -207,7 +207,10 @@ mod tests {
                         let ours = mode.mix(Light(drawn), Light(under), Coverage::new(parts)).0;
                         let lights = [drawn, under].map(|light| f64::from(light) / 65_535.0);
                         let exact = exact(mode, lights, f64::from(parts) / 32_768.0) * 65_535.0;
-                        assert!((f64::from(ours) - exact).abs() <= 1.01, "{mode:?} {drawn} {under} {parts}: {ours} {exact}");
+                        assert!(
+                            (f64::from(ours) - exact).abs() <= 1.01,
+                            "{mode:?} {drawn} {under} {parts}: {ours} {exact}"
+                        );
                     }
                 }
             }

@@ -27,7 +27,7 @@ use embedded_graphics::{
 
 use crate::{
     blend::{Alpha, Blend, BlendMode},
-    coverage::{Coverage, Covered, CoverageCurve},
+    coverage::{Coverage, CoverageCurve, Covered},
     num::index,
     space::Rect,
     span::Sink,
@@ -314,9 +314,10 @@ where
         let Some(visible) = self.bounds().clip_run(row, columns.clone()) else { return Ok(()) };
         let hidden = index(visible.start.saturating_sub(columns.start));
         let offsets = index(visible.start.saturating_sub(first))..;
-        let shown = colors.skip(hidden).zip(offsets).map(|(color, offset)| {
-            color.map(|color| Alpha::new(color, curve.bend(covered.at(offset))))
-        });
+        let shown = colors
+            .skip(hidden)
+            .zip(offsets)
+            .map(|(color, offset)| color.map(|color| Alpha::new(color, curve.bend(covered.at(offset)))));
         blend_run(self.target, self.mode, (row, visible), shown)
     }
 }

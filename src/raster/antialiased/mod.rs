@@ -31,12 +31,14 @@ use crate::{
         polygon::Polygon,
         polyline::Polyline,
         rounded_rectangle::RoundedRectangle,
-        stroke::{Stroked, dash::Dashed},
+        stroke::{Stroked, dash::Dashed, drawable::grown},
     },
     space::Rect,
     span::Sink,
     style::{AntialiasedStyle, Rule},
     target::run_area,
+    text::Text,
+    typeface::Typeface,
 };
 
 /// Gives the coverage of a shape to a display, as colours.
@@ -151,3 +153,25 @@ antialiased!(
     [] Arc,
     [O: Outline] Dashed<'_, O>,
 );
+
+impl<C: PixelColor, F: Typeface> StyledDimensions<AntialiasedStyle<C>> for Text<'_, F> {
+    /// A rectangle that holds all pixels that are drawn. Traces all glyphs.
+    fn styled_bounding_box(&self, style: &AntialiasedStyle<C>) -> Rectangle {
+        bounds(self, style)
+    }
+}
+
+impl<C: PixelColor, F: Typeface> StyledDrawable<AntialiasedStyle<C>> for Text<'_, F> {
+    type Color = Alpha<C>;
+    type Output = ();
+
+    /// One glyph after the other, those that can be seen. Fonts that are made of lines have a stroke and no inside.
+    fn draw_styled<D: DrawTarget<Color = Alpha<C>>>(
+        &self,
+        style: &AntialiasedStyle<C>,
+        target: &mut D,
+    ) -> Result<(), D::Error> {
+        let seen = grown(target.bounding_box().into(), style.stroke);
+        self.glyphs(seen).try_for_each(|glyph| draw(Some(&glyph), Some(&glyph), style, target))
+    }
+}

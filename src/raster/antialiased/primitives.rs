@@ -137,9 +137,10 @@ antialiased!(
 /// The centres of a polyline's pixels.
 fn vertices<'p>(polyline: &primitives::Polyline<'p>) -> impl Iterator<Item = Point2> + Clone + use<'p> {
     let by = polyline.translate;
-    polyline.vertices.iter().map(move |point| {
-        center(Point::new(point.x.saturating_add(by.x), point.y.saturating_add(by.y)))
-    })
+    polyline
+        .vertices
+        .iter()
+        .map(move |point| center(Point::new(point.x.saturating_add(by.x), point.y.saturating_add(by.y))))
 }
 
 /// Circular corners; of elliptical ones the smaller radius.

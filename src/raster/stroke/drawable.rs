@@ -139,7 +139,7 @@ impl<C: PixelColor, F: Typeface> StyledDrawable<StrokeStyle<C>> for Text<'_, F> 
 }
 
 /// A rectangle and as much around it as a stroke reaches from its line.
-fn grown(area: Rect, stroke: Stroke) -> Rect {
+pub(in crate::raster) fn grown(area: Rect, stroke: Stroke) -> Rect {
     // A tip is `limit` times half the width from the line, the corner of a square cap √2 times.
     let times = match stroke.join {
         Join::Miter { limit } => i32::from(limit).max(2),

@@ -30,7 +30,7 @@
 mod cap;
 pub mod dash;
 mod direction;
-mod drawable;
+pub(super) mod drawable;
 mod join;
 mod pieces;
 
