@@ -18,11 +18,12 @@
 //!   radius of 30 pixels, twice as many at four times that; never more than 65,536.
 
 use crate::{
-    angle::{Angle, sine_and_cosine},
+    angle::Angle,
     edge::LIMIT,
     error::OutOfRange,
-    num::{Subpixel, low_i32, low_u32},
+    num::Subpixel,
     outline::{FINE, Outline, Pen, enlarged, trace_large},
+    pieces::Curve,
     space::Point2,
 };
 
@@ -86,32 +87,16 @@ impl Oval {
         let radii = self.radii.map(|radius| Subpixel::from_bits(radius.to_bits() * FINE));
         Self::new(enlarged(self.center), radii).ok()
     }
-
-    /// The vertex at a turn of 2³² parts, to the nearest sixteenth on each axis.
-    fn vertex(&self, turn: u32) -> Point2 {
-        let (sin, cos) = sine_and_cosine(turn);
-        // Rounded without its sign, so that both halves are the same.
-        let part = |radius: Subpixel, sine: i64| {
-            let magnitude = (i64::from(radius.to_bits()) * sine.abs() + (1 << 30)) >> 31;
-            low_i32(if sine < 0 { -magnitude } else { magnitude })
-        };
-        let [x, y] = self.radii;
-        let Point2 { x: center_x, y: center_y } = self.center;
-        Point2::from_sixteenths(center_x.to_bits() + part(x, cos), center_y.to_bits() + part(y, sin))
-    }
 }
 
 impl Outline for Oval {
     /// Clockwise from the right.
     fn trace<P: Pen>(&self, pen: &mut P) {
-        let mut vertices = self.arc(Angle(0), Arc::TURN).vertices();
-        // The last one is the first again.
-        let rest = vertices.len().saturating_sub(2);
-        if let Some(first) = vertices.next() {
-            pen.move_to(first);
-            vertices.take(rest).for_each(|vertex| pen.line_to(vertex));
-            pen.close();
-        }
+        let turn = self.arc(Angle(0), Arc::TURN);
+        pen.move_to(turn.start_point());
+        // The last vertex is the first again.
+        pen.curve_to(&turn.curve().without_last());
+        pen.close();
     }
 
     /// With vertices on 256ths of a pixel where all of it is less than 262,144 pixels from the origin.
@@ -161,7 +146,7 @@ impl Arc {
     /// Where it begins.
     #[must_use]
     pub fn start_point(&self) -> Point2 {
-        self.oval.vertex(u32::from(self.start.0) << 16)
+        self.curve().vertex_at(0)
     }
 
     /// The same sixteen times as large, if that is in range.
@@ -169,31 +154,18 @@ impl Arc {
         Some(Self { oval: self.oval.enlarged()?, ..*self })
     }
 
-    /// The vertices, the first and the last included.
-    pub(crate) fn vertices(&self) -> Vertices {
-        let k = self.halvings();
-        // Exact: a sweep is a multiple of 2¹⁶ here, and k at most 16.
-        let step = low_u32((i64::from(self.sweep) << 16) >> k);
-        Vertices { oval: self.oval, turn: u32::from(self.start.0) << 16, step, left: (1 << k) + 1 }
-    }
-
-    /// The least k so that 2^k chords are at most 0.2 sixteenths from the arc: `4ᵏ > 25·r·(sweep/turn)²`, where
-    /// 25 is a little more than `(2π)²/8 / 0.2`.
-    fn halvings(&self) -> u32 {
-        let [x, y] = self.oval.radii.map(|radius| u64::from(radius.to_bits().unsigned_abs()));
-        let sweep = u64::from(self.sweep.unsigned_abs());
-        let chords = (25 * x.max(y) * sweep * sweep) >> 32;
-        (u64::BITS - chords.leading_zeros()).div_ceil(2)
+    /// The arc as a curve from its start point on.
+    pub(crate) fn curve(&self) -> Curve {
+        let Oval { center, radii: [x, y] } = self.oval;
+        let radii = [Point2::new(x, Subpixel::ZERO), Point2::new(Subpixel::ZERO, y)];
+        Curve::arc(center, radii, u32::from(self.start.0) << 16, self.sweep)
     }
 }
 
 impl Outline for Arc {
     fn trace<P: Pen>(&self, pen: &mut P) {
-        let mut vertices = self.vertices();
-        if let Some(first) = vertices.next() {
-            pen.move_to(first);
-            vertices.for_each(|vertex| pen.line_to(vertex));
-        }
+        pen.move_to(self.start_point());
+        pen.curve_to(&self.curve());
     }
 
     /// As [`Oval`].
@@ -201,31 +173,6 @@ impl Outline for Arc {
         trace_large(self.enlarged(), self, pen);
     }
 }
-
-/// The vertices of an arc, one after the other.
-pub(crate) struct Vertices {
-    oval: Oval,
-    turn: u32,
-    step: u32,
-    left: usize,
-}
-
-impl Iterator for Vertices {
-    type Item = Point2;
-
-    fn next(&mut self) -> Option<Point2> {
-        self.left = self.left.checked_sub(1)?;
-        let vertex = self.oval.vertex(self.turn);
-        self.turn = self.turn.wrapping_add(self.step);
-        Some(vertex)
-    }
-
-    fn size_hint(&self) -> (usize, Option<usize>) {
-        (self.left, Some(self.left))
-    }
-}
-
-impl ExactSizeIterator for Vertices {}
 
 /// What an arc cuts off from its oval: the arc and the straight edge between its ends.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -256,7 +203,8 @@ pub struct Sector(pub Arc);
 impl Outline for Sector {
     fn trace<P: Pen>(&self, pen: &mut P) {
         pen.move_to(self.0.oval.center);
-        self.0.vertices().for_each(|vertex| pen.line_to(vertex));
+        pen.line_to(self.0.start_point());
+        pen.curve_to(&self.0.curve());
         pen.close();
     }
 

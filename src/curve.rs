@@ -1,16 +1,7 @@
 //! Curves as straight edges: Bézier curves, and the pen that draws them.
 //!
-//! A curve is cut into `n = 2^k` pieces of equal parameter, and `n` is known before the first is drawn: the chord
-//! of a piece is at most `M / 4n²` from a quadratic curve and `3M / 4n²` from a cubic one, where `M` is the length
-//! of the longest second difference `P₀ − 2P₁ + P₂` of its control points.
-//!
-//! ```text
-//!        P₁                            the curve is at most ¼ of a sixteenth of a pixel from its chords,
-//!        ╱╲      ● vertices,           and rounding moves a vertex by 0.71 sixteenths at most:
-//!       ●──●       n = 4               0.96 sixteenths in all
-//!     ●      ●
-//!    P₀       P₂
-//! ```
+//! A curve is cut into [pieces](crate::Curve): it is at most ¼ of a sixteenth of a pixel from their chords, and rounding
+//! moves a vertex by 0.71 sixteenths at most: 0.96 sixteenths in all.
 //!
 //! Forward differences lead from vertex to vertex, in whole units of `2^−3k` sixteenths: nothing is rounded on the
 //! way, so nothing drifts, and the last vertex is the end point.
@@ -21,111 +12,17 @@
 //! - **Cost** a vertex is six additions of 64 bits; no division. A curve has at most 4,096 pieces. So a quadratic
 //!   curve with a second difference of more than 1,048,576 pixels and a cubic one of more than 349,525 may be
 //!   farther from their chords than promised, 1.1 pixels at the very most.
-//!
-//! The bound is that of G. Farin, *Curves and Surfaces for CAGD*, for the chord of a twice differentiable curve:
-//! an eighth of the longest second derivative times the square of the piece. T. O. Sederberg, *Computer Aided
-//! Geometric Design*, chapter 4, for forward differences.
 
-use crate::{
-    arc::Arc,
-    num::{Subpixel, low_i32},
-    outline::{Pen, in_range},
-    space::Point2,
-};
-
-/// No curve has more pieces than 2 to this. Then a vertex fits 26 + 3 · 12 bits and a sign.
-const MOST_HALVINGS: u32 = 12;
+use crate::{arc::Arc, outline::Pen, pieces::Curve, space::Point2};
 
 /// Draws a quadratic Bézier curve: start, control point, end. The pen stands at the start already.
 pub fn quadratic<P: Pen>(pen: &mut P, points: [Point2; 3]) {
-    let [from, control, to] = points.map(in_range);
-    let x = Coefficients::of_quadratic([from.x, control.x, to.x]);
-    let y = Coefficients::of_quadratic([from.y, control.y, to.y]);
-    let bend = length(x.square, y.square);
-    // M / 4n² ≤ 1/4
-    draw(pen, [x, y], (halvings(bend), to));
+    pen.curve_to(&Curve::quadratic(points));
 }
 
 /// Draws a cubic Bézier curve: start, two control points, end. The pen stands at the start already.
 pub fn cubic<P: Pen>(pen: &mut P, points: [Point2; 4]) {
-    let [from, one, other, to] = points.map(in_range);
-    let x = Coefficients::of_cubic([from.x, one.x, other.x, to.x]);
-    let y = Coefficients::of_cubic([from.y, one.y, other.y, to.y]);
-    // The second differences at the start, three times, and at the end.
-    let bend = length(x.square, y.square).max(length(x.square + 3 * x.cube, y.square + 3 * y.cube));
-    // 3M / 4n² ≤ 1/4
-    draw(pen, [x, y], (halvings(bend), to));
-}
-
-/// The least k with 4ᵏ ≥ `bend`, as far as allowed.
-fn halvings(bend: u64) -> u32 {
-    let bits = u64::BITS - bend.saturating_sub(1).leading_zeros();
-    bits.div_ceil(2).min(MOST_HALVINGS)
-}
-
-/// No less than the length of a vector, and at most an eighth more.
-fn length(x: i64, y: i64) -> u64 {
-    let (x, y) = (x.unsigned_abs(), y.unsigned_abs());
-    x.max(y) + x.min(y).div_ceil(2)
-}
-
-/// One coordinate as a polynomial of the parameter: `cube·t³ + square·t² + line·t + start`.
-#[derive(Clone, Copy)]
-struct Coefficients {
-    cube: i64,
-    square: i64,
-    line: i64,
-    start: i64,
-}
-
-impl Coefficients {
-    fn of_quadratic(points: [Subpixel; 3]) -> Self {
-        let [from, control, to] = points.map(|v| i64::from(v.to_bits()));
-        Self { cube: 0, square: from - 2 * control + to, line: 2 * (control - from), start: from }
-    }
-
-    fn of_cubic(points: [Subpixel; 4]) -> Self {
-        let [from, one, other, to] = points.map(|v| i64::from(v.to_bits()));
-        let square = 3 * (from - 2 * one + other);
-        Self { cube: to - from + 3 * (one - other), square, line: 3 * (one - from), start: from }
-    }
-
-    /// The differences of 2^k steps, at the start.
-    const fn differences(self, k: u32) -> Differences {
-        Differences {
-            value: self.start << (3 * k),
-            first: self.cube + (self.square << k) + (self.line << (2 * k)),
-            second: 6 * self.cube + ((2 * self.square) << k),
-            third: 6 * self.cube,
-        }
-    }
-}
-
-/// A coordinate and its differences, in units of 2^−3k sixteenths.
-struct Differences {
-    value: i64,
-    first: i64,
-    second: i64,
-    third: i64,
-}
-
-impl Differences {
-    /// The coordinate at the next step, in sixteenths.
-    fn next(&mut self, k: u32) -> i32 {
-        self.value += self.first;
-        self.first += self.second;
-        self.second += self.third;
-        // The curve stays between its control points.
-        low_i32((self.value + (1 << (3 * k) >> 1)) >> (3 * k))
-    }
-}
-
-fn draw<P: Pen>(pen: &mut P, axes: [Coefficients; 2], (k, to): (u32, Point2)) {
-    let [mut x, mut y] = axes.map(|axis| axis.differences(k));
-    for _ in 1..1_u32 << k {
-        pen.line_to(Point2::from_sixteenths(x.next(k), y.next(k)));
-    }
-    pen.line_to(to);
+    pen.curve_to(&Curve::cubic(points));
 }
 
 /// Draws curves with a pen for straight edges.
@@ -201,13 +98,13 @@ impl<'p, P: Pen> Flatten<'p, P> {
         });
         self.last = Some(from);
         self.begin();
-        for vertex in arc.vertices() {
-            // The contour may stand there already.
-            if self.last != Some(vertex) {
-                self.pen.line_to(vertex);
-                self.last = Some(vertex);
-            }
+        let curve = arc.curve().distinct();
+        // The contour may stand there already.
+        if from != arc.start_point() {
+            self.pen.line_to(arc.start_point());
         }
+        self.pen.curve_to(&curve);
+        self.last = Some(curve.vertex_at(curve.len()));
     }
 
     /// A straight edge back to where the contour began.

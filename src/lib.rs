@@ -72,6 +72,7 @@ mod on_draw_target;
 mod outcode;
 mod outline;
 mod palette;
+mod pieces;
 mod runs;
 mod space;
 mod span;
@@ -137,6 +138,7 @@ pub use num::{Scalar, Subpixel};
 pub use on_draw_target::OnDrawTarget;
 pub use outcode::Outcode;
 pub use outline::{Outline, Pen, pixel_bounds};
+pub use pieces::Curve;
 pub use palette::{FourColor, Rgb332, SevenColor, SixColor, ThreeColor};
 pub use raster::{
     area::{CoverageMask, Oversampled},

@@ -14,6 +14,7 @@ use embedded_graphics::primitives::Rectangle;
 use crate::{
     edge::{LIMIT, first_row},
     num::{SUBPIXELS, Subpixel},
+    pieces::Curve,
     space::{Point2, Rect},
 };
 
@@ -64,6 +65,11 @@ pub trait Pen {
 
     /// A straight edge to a point.
     fn line_to(&mut self, point: Point2);
+
+    /// A curve from where the pen stands, in straight pieces. Without its own implementation a pen draws these edges.
+    fn curve_to(&mut self, curve: &Curve) {
+        curve.each(|vertex| self.line_to(vertex));
+    }
 
     /// A straight edge back to where the contour began. Another contour follows, or nothing.
     fn close(&mut self);
@@ -200,13 +206,13 @@ impl<F: FnMut(Directed), const LIMIT: u32> Pen for Edges<F, LIMIT> {
     #[inline]
     fn move_to(&mut self, point: Point2) {
         self.close();
-        self.first = nearest_within::<LIMIT>(point);
+        self.first = point.nearest_within(LIMIT);
         self.last = self.first;
     }
 
     #[inline]
     fn line_to(&mut self, point: Point2) {
-        let (from, to) = (self.last, nearest_within::<LIMIT>(point));
+        let (from, to) = (self.last, point.nearest_within(LIMIT));
         self.last = to;
         let (upper, lower, winding) = if from.y <= to.y { (from, to, 1) } else { (to, from, -1) };
         (self.take)(Directed { upper, lower, winding });
@@ -223,15 +229,7 @@ impl<F: FnMut(Directed), const LIMIT: u32> Pen for Edges<F, LIMIT> {
 /// The nearest point whose edges can be walked exactly: an outline may be anybody's.
 #[inline]
 pub(crate) fn in_range(point: Point2) -> Point2 {
-    nearest_within::<LIMIT>(point)
-}
-
-#[inline]
-fn nearest_within<const LIMIT: u32>(point: Point2) -> Point2 {
-    if point.within(LIMIT) {
-        return point;
-    }
-    point.clamped(LIMIT)
+    point.nearest_within(LIMIT)
 }
 
 /// The smallest rectangle of pixels that holds all points of an outline; empty for an empty outline.

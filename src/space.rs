@@ -153,6 +153,12 @@ impl Point2 {
         self.x.to_bits().unsigned_abs() < limit && self.y.to_bits().unsigned_abs() < limit
     }
 
+    /// [`clamped`](Self::clamped), fast for points that are within.
+    #[inline]
+    pub(crate) fn nearest_within(self, limit: u32) -> Self {
+        if self.within(limit) { self } else { self.clamped(limit) }
+    }
+
     /// The nearest point that is [`within`](Self::within) a limit.
     pub(crate) fn clamped(self, limit: u32) -> Self {
         let end = size_i32(limit.saturating_sub(1));

@@ -112,14 +112,15 @@ impl Outline for RoundedRectangle {
         let mut last = None;
         for ((center, start), radius) in self.corners().into_iter().zip(self.radii) {
             let Ok(circle) = Oval::circle(center, radius) else { return };
-            for vertex in circle.arc(start, Angle::QUARTER.0.into()).vertices() {
-                match last {
-                    None => pen.move_to(vertex),
-                    Some(last) if last == vertex => {}
-                    Some(_) => pen.line_to(vertex),
-                }
-                last = Some(vertex);
+            let arc = circle.arc(start, Angle::QUARTER.0.into());
+            match last {
+                None => pen.move_to(arc.start_point()),
+                Some(last) if last == arc.start_point() => {}
+                Some(_) => pen.line_to(arc.start_point()),
             }
+            let curve = arc.curve().distinct();
+            pen.curve_to(&curve);
+            last = Some(curve.vertex(curve.pieces()));
         }
         pen.close();
     }

@@ -1,0 +1,322 @@
+//! Curves in pieces: how many straight edges stand for one, and where each of them ends.
+//!
+//! A curve is cut into `n = 2^k` pieces of equal parameter, and `n` is known before the first is drawn. Each vertex has a
+//! number and can be computed for itself, so a fill can keep a curve in its list in place of all of its edges.
+//!
+//! ```text
+//!        P₁                            Bézier curves: the chord of a piece is at most M / 4n² from a quadratic curve
+//!        ╱╲      ● vertices,           and 3M / 4n² from a cubic one, where M is the length of the longest second
+//!       ●──●       n = 4               difference P₀ − 2P₁ + P₂ of its control points.
+//!     ●      ●                         Arcs: the chord of an angle θ / n is at most r·θ² / 8n² from the arc.
+//!    P₀       P₂
+//! ```
+//!
+//! The bounds are that of G. Farin, *Curves and Surfaces for CAGD*, for the chord of a twice differentiable curve:
+//! an eighth of the longest second derivative times the square of the piece. T. O. Sederberg, *Computer Aided
+//! Geometric Design*, chapter 4, for forward differences.
+
+use crate::{
+    angle::sine_and_cosine,
+    edge::LIMIT,
+    num::{Subpixel, bits, count, low_i32, low_index, low_u32},
+    space::Point2,
+};
+
+/// No Bézier curve has more pieces than 2 to this. Then a vertex fits 26 + 3 · 12 bits and a sign.
+const MOST_HALVINGS: u32 = 12;
+
+/// A curve that a [`Pen`](crate::Pen) draws from where it stands: a Bézier curve or an arc, cut into straight pieces.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Curve {
+    kind: Kind,
+    /// Control points; of an arc its centre, two conjugate radii, and the turns where it begins and from piece to piece.
+    points: [Point2; 4],
+    halvings: u32,
+    pieces: u32,
+    /// Pieces without length are left out where they are drawn one after the other.
+    is_distinct: bool,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Kind {
+    Quadratic,
+    Cubic,
+    Arc,
+}
+
+impl Curve {
+    /// A quadratic Bézier curve: start, control point, end.
+    pub(crate) fn quadratic(points: [Point2; 3]) -> Self {
+        let [from, control, to] = points.map(|point| point.nearest_within(LIMIT));
+        let [x, y] = Axis::of_quadratic([from, control, to]);
+        // M / 4n² ≤ 1/4
+        Self::bezier(Kind::Quadratic, [from, control, to, to], length(x.square, y.square))
+    }
+
+    /// A cubic Bézier curve: start, two control points, end.
+    pub(crate) fn cubic(points: [Point2; 4]) -> Self {
+        let points = points.map(|point| point.nearest_within(LIMIT));
+        let [x, y] = Axis::of_cubic(points);
+        // The second differences at the start, three times, and at the end.
+        let bend = length(x.square, y.square).max(length(x.square + 3 * x.cube, y.square + 3 * y.cube));
+        // 3M / 4n² ≤ 1/4
+        Self::bezier(Kind::Cubic, points, bend)
+    }
+
+    fn bezier(kind: Kind, points: [Point2; 4], bend: u64) -> Self {
+        // The least k with 4ᵏ ≥ `bend`, as far as allowed.
+        let digits = u64::BITS - bend.saturating_sub(1).leading_zeros();
+        let halvings = digits.div_ceil(2).min(MOST_HALVINGS);
+        Self { kind, points, halvings, pieces: 1 << halvings, is_distinct: false }
+    }
+
+    /// An arc about a centre: the points `radii[0]·cos t + radii[1]·sin t` away from it, from a turn of 2³² parts on over
+    /// `sweep` parts of 2¹⁶, at most one turn. The arc is less than [`LIMIT`] from the origin.
+    pub(crate) fn arc(center: Point2, radii: [Point2; 2], start: u32, sweep: i32) -> Self {
+        let halvings = arc_halvings(radii, sweep);
+        // Exact: a sweep is a multiple of 2¹⁶ here, and k at most 16.
+        let step = low_u32((i64::from(sweep) << 16) >> halvings);
+        let turns = Point2::from_sixteenths(start.cast_signed(), step.cast_signed());
+        let points = [center, radii[0], radii[1], turns];
+        Self { kind: Kind::Arc, points, halvings, pieces: 1 << halvings, is_distinct: false }
+    }
+
+    /// The same without its last piece.
+    pub(crate) const fn without_last(self) -> Self {
+        Self { pieces: self.pieces.saturating_sub(1), ..self }
+    }
+
+    /// The same arc, drawn without the pieces that have no length.
+    pub(crate) const fn distinct(self) -> Self {
+        Self { is_distinct: true, ..self }
+    }
+
+    /// The curve whose points are moved by an affine map, given for points and for differences; `None` where
+    /// that is out of range.
+    pub(crate) fn mapped(&self, point: impl Fn(Point2) -> Point2, vector: impl Fn(Point2) -> Point2) -> Option<Self> {
+        let [a, b, c, d] = self.points;
+        let is_whole = self.pieces == 1 << self.halvings;
+        let in_range = |points: &[Point2]| points.iter().all(|point| point.within(LIMIT / 4));
+        let mapped = match self.kind {
+            Kind::Arc => {
+                let (center, radii) = (point(a), [vector(b), vector(c)]);
+                if !(center.within(LIMIT / 4) && in_range(&radii)) {
+                    return None;
+                }
+                // An arc that has a length has so many pieces that none is half a turn.
+                let sweep = i64::from(d.y.to_bits()) << self.halvings >> 16;
+                Self::arc(center, radii, bits(d.x.to_bits()), low_i32(sweep))
+            }
+            Kind::Quadratic => {
+                let points = [point(a), point(b), point(c)];
+                in_range(&points).then(|| Self::quadratic(points))?
+            }
+            Kind::Cubic => {
+                let points = [point(a), point(b), point(c), point(d)];
+                in_range(&points).then(|| Self::cubic(points))?
+            }
+        };
+        Some(if is_whole { mapped } else { mapped.without_last() })
+    }
+
+    /// How many edges stand for it.
+    #[must_use]
+    pub fn pieces(&self) -> usize {
+        count(self.pieces.into())
+    }
+
+    /// Where it begins, at 0, and where each piece ends. Some ten multiplications of 64 bits.
+    #[must_use]
+    pub fn vertex(&self, number: usize) -> Point2 {
+        self.vertex_at(low_index(number))
+    }
+
+    pub(crate) const fn len(&self) -> u32 {
+        self.pieces
+    }
+
+    pub(crate) fn vertex_at(&self, number: u32) -> Point2 {
+        let [center, _, _, turns] = self.points;
+        match self.kind {
+            Kind::Quadratic => vertex(Axis::of_quadratic(self.three()), self.halvings, number),
+            Kind::Cubic => vertex(Axis::of_cubic(self.points), self.halvings, number),
+            Kind::Arc => {
+                let [start, step] = [turns.x, turns.y].map(|turn| bits(turn.to_bits()));
+                self.on_arc(center, start.wrapping_add(step.wrapping_mul(number)))
+            }
+        }
+    }
+
+    /// Gives the ends of the pieces, one after the other.
+    #[inline]
+    pub(crate) fn each(&self, mut give: impl FnMut(Point2)) {
+        let [center, _, _, turns] = self.points;
+        match self.kind {
+            Kind::Quadratic => step(Axis::of_quadratic(self.three()), (self.halvings, self.pieces), give),
+            Kind::Cubic => step(Axis::of_cubic(self.points), (self.halvings, self.pieces), give),
+            Kind::Arc => {
+                let [start, step] = [turns.x, turns.y].map(|turn| bits(turn.to_bits()));
+                let (mut turn, mut last) = (start, self.on_arc(center, start));
+                for _ in 0..self.pieces {
+                    turn = turn.wrapping_add(step);
+                    let vertex = self.on_arc(center, turn);
+                    if !self.is_distinct || vertex != last {
+                        give(vertex);
+                    }
+                    last = vertex;
+                }
+            }
+        }
+    }
+
+    const fn three(&self) -> [Point2; 3] {
+        let [from, control, to, _] = self.points;
+        [from, control, to]
+    }
+
+    /// The vertex at a turn of 2³² parts, to the nearest sixteenth on each axis.
+    fn on_arc(&self, center: Point2, turn: u32) -> Point2 {
+        let (sin, cos) = sine_and_cosine(turn);
+        let [_, a, b, _] = self.points;
+        // Rounded without its sign, so that both halves are the same.
+        let part = |a: Subpixel, b: Subpixel| {
+            let sum = i64::from(a.to_bits()) * cos + i64::from(b.to_bits()) * sin;
+            let magnitude = (sum.abs() + (1 << 30)) >> 31;
+            low_i32(if sum < 0 { -magnitude } else { magnitude })
+        };
+        let [x, y] = [part(a.x, b.x), part(a.y, b.y)];
+        Point2::from_sixteenths(center.x.to_bits() + x, center.y.to_bits() + y)
+    }
+}
+
+/// The least k so that 2^k chords are at most 0.2 sixteenths from the arc: `4ᵏ > 25·r·(sweep/turn)²`, where
+/// 25 is a little more than `(2π)²/8 / 0.2`. The radius is that along an axis, or no less than the largest one.
+fn arc_halvings(radii: [Point2; 2], sweep: i32) -> u32 {
+    let [a, b] = radii.map(|Point2 { x, y }| [x, y].map(|v| u64::from(v.to_bits().unsigned_abs())));
+    let radius = if a[1] == 0 && b[0] == 0 { a[0].max(b[1]) } else { a[0] + a[1] + b[0] + b[1] };
+    let sweep = u64::from(sweep.unsigned_abs());
+    let chords = (25 * radius * sweep * sweep) >> 32;
+    (u64::BITS - chords.leading_zeros()).div_ceil(2).min(16)
+}
+
+/// No less than the length of a vector, and at most an eighth more.
+fn length(x: i64, y: i64) -> u64 {
+    let (x, y) = (x.unsigned_abs(), y.unsigned_abs());
+    x.max(y) + x.min(y).div_ceil(2)
+}
+
+/// One coordinate as a polynomial of the parameter: `cube·t³ + square·t² + line·t + start`.
+#[derive(Clone, Copy)]
+struct Axis {
+    cube: i64,
+    square: i64,
+    line: i64,
+    start: i64,
+}
+
+impl Axis {
+    fn of_quadratic(points: [Point2; 3]) -> [Self; 2] {
+        [points.map(|point| point.x), points.map(|point| point.y)].map(|axis| {
+            let [from, control, to] = axis.map(|v| i64::from(v.to_bits()));
+            Self { cube: 0, square: from - 2 * control + to, line: 2 * (control - from), start: from }
+        })
+    }
+
+    fn of_cubic(points: [Point2; 4]) -> [Self; 2] {
+        [points.map(|point| point.x), points.map(|point| point.y)].map(|axis| {
+            let [from, one, other, to] = axis.map(|v| i64::from(v.to_bits()));
+            let square = 3 * (from - 2 * one + other);
+            Self { cube: to - from + 3 * (one - other), square, line: 3 * (one - from), start: from }
+        })
+    }
+
+    /// The coordinate at `number / 2^k`, in sixteenths.
+    const fn at(self, k: u32, number: u32) -> i32 {
+        let t = number as i64;
+        // Sums may leave 64 bits on the way, and are back in the end.
+        let value = self.cube.wrapping_mul(t).wrapping_add(self.square << k).wrapping_mul(t);
+        let value = value.wrapping_add(self.line << (2 * k)).wrapping_mul(t).wrapping_add(self.start << (3 * k));
+        rounded(value, k)
+    }
+
+    /// The differences of 2^k steps, at the start.
+    const fn differences(self, k: u32) -> Differences {
+        Differences {
+            value: self.start << (3 * k),
+            first: self.cube + (self.square << k) + (self.line << (2 * k)),
+            second: 6 * self.cube + ((2 * self.square) << k),
+            third: 6 * self.cube,
+        }
+    }
+}
+
+/// A coordinate in units of 2^−3k sixteenths, to the nearest sixteenth. The curve stays between its control points.
+#[inline]
+const fn rounded(value: i64, k: u32) -> i32 {
+    low_i32((value + (1 << (3 * k) >> 1)) >> (3 * k))
+}
+
+/// A coordinate and its differences, in units of 2^−3k sixteenths.
+struct Differences {
+    value: i64,
+    first: i64,
+    second: i64,
+    third: i64,
+}
+
+impl Differences {
+    /// The coordinate at the next step, in sixteenths.
+    #[inline]
+    fn next(&mut self, k: u32) -> i32 {
+        self.value += self.first;
+        self.first += self.second;
+        self.second += self.third;
+        rounded(self.value, k)
+    }
+}
+
+fn vertex([x, y]: [Axis; 2], k: u32, number: u32) -> Point2 {
+    Point2::from_sixteenths(x.at(k, number), y.at(k, number))
+}
+
+/// Gives the ends of the first pieces by forward differences: nothing is rounded on the way, so nothing drifts.
+#[inline]
+fn step(axes: [Axis; 2], (k, pieces): (u32, u32), mut give: impl FnMut(Point2)) {
+    let [mut x, mut y] = axes.map(|axis| axis.differences(k));
+    for _ in 0..pieces {
+        give(Point2::from_sixteenths(x.next(k), y.next(k)));
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    fn point() -> impl Strategy<Value = Point2> {
+        let end = LIMIT.cast_signed() - 1;
+        let coordinate = || prop_oneof![-500..500_i32, -40_000..40_000_i32, -end..=end, Just(end), Just(-end)];
+        (coordinate(), coordinate()).prop_map(|(x, y)| Point2::from_sixteenths(x, y))
+    }
+
+    fn curve() -> impl Strategy<Value = Curve> {
+        let small = || (-20_000..20_000_i32, -20_000..20_000_i32).prop_map(|(x, y)| Point2::from_sixteenths(x, y));
+        prop_oneof![
+            [point(), point(), point()].prop_map(Curve::quadratic),
+            [point(), point(), point(), point()].prop_map(Curve::cubic),
+            (small(), [small(), small()], any::<u32>(), -65_536..=65_536).prop_map(|(c, r, start, sweep)| Curve::arc(c, r, start, sweep)),
+        ]
+    }
+
+    proptest! {
+        #[test]
+        fn vertices_by_number_are_those_of_the_walk(curve in curve()) {
+            let mut number = 0;
+            curve.each(|vertex| {
+                number += 1;
+                assert_eq!(vertex, curve.vertex(number), "{number}");
+            });
+            prop_assert_eq!(number, curve.pieces());
+        }
+    }
+}
