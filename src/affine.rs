@@ -15,6 +15,7 @@ use crate::{
     angle::Angle,
     num::{Scalar, Subpixel, saturate_i32},
     outline::{FINE, Outline, Pen},
+    pieces::Curve,
     space::Point2,
 };
 
@@ -198,6 +199,14 @@ impl<P: Pen> Pen for Mapped<'_, P> {
 
     fn line_to(&mut self, point: Point2) {
         self.pen.line_to(self.map.apply_times(self.times, point));
+    }
+
+    fn curve_to(&mut self, curve: &Curve) {
+        let directions = Affine { origin: Point2::corner(0, 0), ..self.map };
+        match curve.mapped(|point| self.map.apply_times(self.times, point), |radius| directions.apply(radius)) {
+            Some(mapped) => self.pen.curve_to(&mapped),
+            None => curve.each(|vertex| self.line_to(vertex)),
+        }
     }
 
     fn close(&mut self) {

@@ -138,8 +138,8 @@ pub use num::{Scalar, Subpixel};
 pub use on_draw_target::OnDrawTarget;
 pub use outcode::Outcode;
 pub use outline::{Outline, Pen, pixel_bounds};
-pub use pieces::Curve;
 pub use palette::{FourColor, Rgb332, SevenColor, SixColor, ThreeColor};
+pub use pieces::Curve;
 pub use raster::{
     area::{CoverageMask, Oversampled},
     bresenham::Line,

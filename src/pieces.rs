@@ -18,7 +18,7 @@
 use crate::{
     angle::sine_and_cosine,
     edge::LIMIT,
-    num::{Subpixel, bits, count, low_i32, low_index, low_u32},
+    num::{Subpixel, bits, count, low_i32, low_index, low_u8, low_u32},
     space::Point2,
 };
 
@@ -31,8 +31,8 @@ pub struct Curve {
     kind: Kind,
     /// Control points; of an arc its centre, two conjugate radii, and the turns where it begins and from piece to piece.
     points: [Point2; 4],
-    halvings: u32,
     pieces: u32,
+    halvings: u8,
     /// Pieces without length are left out where they are drawn one after the other.
     is_distinct: bool,
 }
@@ -67,7 +67,7 @@ impl Curve {
         // The least k with 4ᵏ ≥ `bend`, as far as allowed.
         let digits = u64::BITS - bend.saturating_sub(1).leading_zeros();
         let halvings = digits.div_ceil(2).min(MOST_HALVINGS);
-        Self { kind, points, halvings, pieces: 1 << halvings, is_distinct: false }
+        Self { kind, points, halvings: low_u8(halvings), pieces: 1 << halvings, is_distinct: false }
     }
 
     /// An arc about a centre: the points `radii[0]·cos t + radii[1]·sin t` away from it, from a turn of 2³² parts on over
@@ -78,12 +78,25 @@ impl Curve {
         let step = low_u32((i64::from(sweep) << 16) >> halvings);
         let turns = Point2::from_sixteenths(start.cast_signed(), step.cast_signed());
         let points = [center, radii[0], radii[1], turns];
-        Self { kind: Kind::Arc, points, halvings, pieces: 1 << halvings, is_distinct: false }
+        Self { kind: Kind::Arc, points, halvings: low_u8(halvings), pieces: 1 << halvings, is_distinct: false }
     }
 
     /// The same without its last piece.
     pub(crate) const fn without_last(self) -> Self {
         Self { pieces: self.pieces.saturating_sub(1), ..self }
+    }
+
+    /// The same in half as many pieces, four times as far from their chords.
+    pub(crate) const fn coarser(mut self) -> Self {
+        let Some(halvings) = self.halvings.checked_sub(1) else { return self };
+        let is_whole = self.pieces == 1 << self.halvings;
+        self.pieces = (1 << halvings) - if is_whole { 0 } else { 1 };
+        self.halvings = halvings;
+        if matches!(self.kind, Kind::Arc) {
+            let [_, _, _, turns] = &mut self.points;
+            *turns = Point2::from_sixteenths(turns.x.to_bits(), turns.y.to_bits().wrapping_mul(2));
+        }
+        self
     }
 
     /// The same arc, drawn without the pieces that have no length.
@@ -138,8 +151,8 @@ impl Curve {
     pub(crate) fn vertex_at(&self, number: u32) -> Point2 {
         let [center, _, _, turns] = self.points;
         match self.kind {
-            Kind::Quadratic => vertex(Axis::of_quadratic(self.three()), self.halvings, number),
-            Kind::Cubic => vertex(Axis::of_cubic(self.points), self.halvings, number),
+            Kind::Quadratic => vertex(Axis::of_quadratic(self.three()), self.halvings.into(), number),
+            Kind::Cubic => vertex(Axis::of_cubic(self.points), self.halvings.into(), number),
             Kind::Arc => {
                 let [start, step] = [turns.x, turns.y].map(|turn| bits(turn.to_bits()));
                 self.on_arc(center, start.wrapping_add(step.wrapping_mul(number)))
@@ -150,20 +163,29 @@ impl Curve {
     /// Gives the ends of the pieces, one after the other.
     #[inline]
     pub(crate) fn each(&self, mut give: impl FnMut(Point2)) {
+        let mut last = self.is_distinct.then(|| self.vertex_at(0));
+        self.each_numbered(|vertex| {
+            if last != Some(vertex) {
+                give(vertex);
+            }
+            last = last.map(|_| vertex);
+        });
+    }
+
+    /// Gives the vertices 1, 2, 3 …
+    #[inline]
+    pub(crate) fn each_numbered(&self, mut give: impl FnMut(Point2)) {
         let [center, _, _, turns] = self.points;
+        let pieces = (u32::from(self.halvings), self.pieces);
         match self.kind {
-            Kind::Quadratic => step(Axis::of_quadratic(self.three()), (self.halvings, self.pieces), give),
-            Kind::Cubic => step(Axis::of_cubic(self.points), (self.halvings, self.pieces), give),
+            Kind::Quadratic => step(Axis::of_quadratic(self.three()), pieces, give),
+            Kind::Cubic => step(Axis::of_cubic(self.points), pieces, give),
             Kind::Arc => {
                 let [start, step] = [turns.x, turns.y].map(|turn| bits(turn.to_bits()));
-                let (mut turn, mut last) = (start, self.on_arc(center, start));
+                let mut turn = start;
                 for _ in 0..self.pieces {
                     turn = turn.wrapping_add(step);
-                    let vertex = self.on_arc(center, turn);
-                    if !self.is_distinct || vertex != last {
-                        give(vertex);
-                    }
-                    last = vertex;
+                    give(self.on_arc(center, turn));
                 }
             }
         }
@@ -304,7 +326,8 @@ mod tests {
         prop_oneof![
             [point(), point(), point()].prop_map(Curve::quadratic),
             [point(), point(), point(), point()].prop_map(Curve::cubic),
-            (small(), [small(), small()], any::<u32>(), -65_536..=65_536).prop_map(|(c, r, start, sweep)| Curve::arc(c, r, start, sweep)),
+            (small(), [small(), small()], any::<u32>(), -65_536..=65_536)
+                .prop_map(|(c, r, start, sweep)| Curve::arc(c, r, start, sweep)),
         ]
     }
 

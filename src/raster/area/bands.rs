@@ -20,19 +20,41 @@ pub(super) fn add_bands(edges: &mut [AreaEdge], cells: &mut Cells, row: i32, rul
     let (mut top, mut bands) = (0, 0);
     while top < PARTS {
         let until = edges.iter().fold(PARTS, |until, edge| edge.next_end(row, (top, until)));
-        edges.iter_mut().for_each(|edge| edge.place(row, (top, until)));
-        sort_by_key(edges, |edge| (edge.from, edge.to));
-        let least = if bands < FINE_BANDS { 1 } else { PARTS / 16 };
-        let bottom = first_crossing(edges, until - top).map_or(until, |parts| until.min(top + parts.max(least)));
-        if bottom < until {
-            edges.iter_mut().for_each(|edge| edge.place(row, (top, bottom)));
-            sort_by_key(edges, |edge| edge.from + edge.to);
-        }
+        let bottom = if are_ordered(edges, row, (top, until)) {
+            until
+        } else {
+            let least = if bands < FINE_BANDS { 1 } else { PARTS / 16 };
+            uncrossed(edges, row, (top, until), least)
+        };
         add_band(edges, cells, height_of(bottom - top), rule);
+        for edge in &mut *edges {
+            edge.go_on(row, bottom);
+        }
         (top, bands) = (bottom, bands + 1);
     }
-    edges.iter_mut().for_each(|edge| edge.place_all(row));
-    sort_by_key(edges, |edge| edge.from.min(edge.to));
+    sort_by_key(edges, |edge| edge.touched.0);
+}
+
+/// Places the edges in a band. Whether they lie there as they are sorted, and none crosses another.
+#[inline]
+fn are_ordered(edges: &mut [AreaEdge], row: i32, band: (i32, i32)) -> bool {
+    let (mut from, mut to, mut are_ordered) = (i64::MIN, i64::MIN, true);
+    for edge in edges {
+        edge.place(row, band);
+        are_ordered &= from <= edge.from && to <= edge.to;
+        (from, to) = (edge.from, edge.to);
+    }
+    are_ordered
+}
+
+/// Sorts the edges of a band. Where it ends above the first crossing, but for the least height of a band.
+fn uncrossed(edges: &mut [AreaEdge], row: i32, (top, until): (i32, i32), least: i32) -> i32 {
+    sort_by_key(edges, |edge| (edge.from, edge.to));
+    let Some(parts) = first_crossing(edges, until - top) else { return until };
+    let bottom = until.min(top + parts.max(least));
+    edges.iter_mut().for_each(|edge| edge.place(row, (top, bottom)));
+    sort_by_key(edges, |edge| edge.from + edge.to);
+    bottom
 }
 
 /// How far down, rounded up, two edges of a band cross first, if any do. They are sorted as they begin, so that it is
@@ -50,11 +72,12 @@ fn crossing(left: &AreaEdge, right: &AreaEdge, height: i32) -> i32 {
 }
 
 /// Adds a band whose edges are sorted.
-fn add_band(edges: &[AreaEdge], cells: &mut Cells, height: i32, rule: Rule) {
+fn add_band(edges: &mut [AreaEdge], cells: &mut Cells, height: i32, rule: Rule) {
     let mut winding = 0_i32;
-    for edge in edges.iter().take_while(|edge| edge.is_here()) {
+    for edge in edges.iter_mut().take_while(|edge| edge.is_here()) {
         if let Some(side) = edge.side(&mut winding, rule) {
             cells.add_edge((edge.from, edge.to), height, side);
+            edge.touch(cells.touched((edge.from, edge.to)));
         }
     }
 }
@@ -66,8 +89,7 @@ where
     S: for<'c> Sink<Covered<'c>, Error = E>,
 {
     let (mut sum, mut from, mut to) = (0, 0, 0);
-    for edge in edges {
-        let (first, end) = cells.touched((edge.from, edge.to));
+    for &AreaEdge { touched: (first, end), .. } in edges.iter().filter(|edge| edge.touched.0 <= edge.touched.1) {
         if first > to {
             cells.emit((from, to), &mut sum, row, sink)?;
             cells.emit_even((to, first), &mut sum, row, sink)?;

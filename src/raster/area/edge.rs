@@ -14,15 +14,17 @@ use core::ops::Range;
 
 use crate::{
     num::{divide_floor, divide_floor_i32},
-    outline::Directed,
+    outline::{Directed, Run, Stretch},
     raster::{active::RowEdge, area::cells::Side},
+    space::Point2,
     style::Rule,
 };
 
 /// Parts of a pixel on the axes of [`Outline::trace_fine`](crate::Outline::trace_fine).
 pub(super) const PARTS: i32 = 256;
 
-/// One edge of an outline, in the list that [`fill`](super::fill) works with.
+/// One edge of an outline, or a curve of which one piece at a time is an edge, in the list that
+/// [`fill`](super::fill) works with.
 #[derive(Clone, Copy, Debug)]
 pub struct AreaEdge {
     /// Where it crosses the upper border of the present row, prolonged if it begins below: 32 fraction bits, modulo
@@ -30,27 +32,107 @@ pub struct AreaEdge {
     x: i64,
     /// To the right on the way down a row.
     step: i64,
+    /// Where it crosses the borders of a band, with 16 fraction bits.
+    pub(super) from: i64,
+    pub(super) to: i64,
     /// Where it begins and ends, in 256ths of a pixel.
     top: i32,
     bottom: i32,
     winding: i32,
-    /// Where it crosses the borders of a band, with 16 fraction bits.
-    pub(super) from: i64,
-    pub(super) to: i64,
+    /// The cells that it has changed in the row: the first, and the first behind.
+    pub(super) touched: (i32, i32),
+    pieces: Option<Pieces>,
+}
+
+/// The curve that an edge is a piece of.
+#[derive(Clone, Copy, Debug)]
+struct Pieces {
+    run: Run,
+    /// Where the last piece ends, in 256ths of a pixel, and where this one does.
+    bottom: i32,
+    lower: Point2,
+    /// Which piece the edge is, and which one it was at the beginning of the row.
+    at: u32,
+    at_row: u32,
 }
 
 /// Where an edge is that does not cross the band: right of all others.
 const ELSEWHERE: i64 = i64::MAX >> 2;
 
 impl AreaEdge {
-    /// An edge, not horizontal, standing on `row`.
-    pub(super) fn new(Directed { upper, lower, winding }: Directed, row: i32) -> Self {
-        let (top, bottom) = (upper.y.to_bits(), lower.y.to_bits());
-        // Both are less than 2³⁰.
-        let step = slope(lower.x.to_bits() - upper.x.to_bits(), bottom - top);
-        let down = i64::from(row) * i64::from(PARTS) - i64::from(top);
-        let x = (i64::from(upper.x.to_bits()) << 24).wrapping_add(part(step, down));
-        Self { x, step, top, bottom, winding, from: 0, to: 0 }
+    /// An edge, or the first piece of a curve that reaches into `row`, standing on that row.
+    pub(super) fn new(stretch: Stretch, row: i32) -> Self {
+        let (edge, pieces) = match stretch {
+            Stretch::Edge(edge) => (edge, None),
+            Stretch::Run(run) => {
+                let at = run.piece_below(row << 8);
+                let (edge, bottom) = (run.piece(at), run.vertex(run.len()).y.to_bits());
+                (edge, Some(Pieces { run, bottom, lower: edge.lower, at, at_row: at }))
+            }
+        };
+        let (x, step) = line(edge, row);
+        let (top, bottom) = (edge.upper.y.to_bits(), edge.lower.y.to_bits());
+        Self { x, step, from: 0, to: 0, top, bottom, winding: edge.winding, touched: UNTOUCHED, pieces }
+    }
+
+    /// The rows that a stretch reaches into.
+    pub(super) fn rows_of(stretch: &Stretch) -> Range<i32> {
+        let (upper, lower) = match stretch {
+            Stretch::Edge(edge) => (edge.upper, edge.lower),
+            Stretch::Run(run) => (run.vertex(0), run.vertex(run.len())),
+        };
+        upper.y.to_bits() >> 8..end_row(lower.y.to_bits())
+    }
+
+    /// Becomes a piece of its curve.
+    fn become_piece(&mut self, edge: Directed, row: i32) {
+        (self.x, self.step) = line(edge, row);
+        (self.top, self.bottom) = (edge.upper.y.to_bits(), edge.lower.y.to_bits());
+    }
+
+    /// Goes on to the next piece of its curve where this one ends at or above a part of the row. Whether there is one.
+    pub(super) fn go_on(&mut self, row: i32, part: i32) -> bool {
+        let Some(pieces) = &mut self.pieces else { return false };
+        if self.bottom > (row << 8) + part || self.bottom >= pieces.bottom {
+            return false;
+        }
+        // There is a piece below that is not level.
+        let mut upper = pieces.lower;
+        while pieces.lower.y.to_bits() <= self.bottom && pieces.at < pieces.run.len() {
+            upper = pieces.lower;
+            pieces.at += 1;
+            pieces.lower = pieces.run.vertex(pieces.at + 1);
+        }
+        let edge = Directed { upper, lower: pieces.lower, winding: self.winding };
+        self.become_piece(edge, row);
+        true
+    }
+
+    /// Remembers its piece at the beginning of a row.
+    #[inline]
+    pub(super) const fn begin_row(&mut self) {
+        if let Some(pieces) = &mut self.pieces {
+            pieces.at_row = pieces.at;
+        }
+    }
+
+    /// Goes back to the piece that it was at the beginning of the row, and has changed no cells yet.
+    pub(super) fn begin_part(&mut self, row: i32) {
+        self.touched = UNTOUCHED;
+        if let Some(pieces) = &mut self.pieces {
+            if pieces.at != pieces.at_row {
+                pieces.at = pieces.at_row;
+                let edge = pieces.run.piece(pieces.at);
+                pieces.lower = edge.lower;
+                self.become_piece(edge, row);
+            }
+        }
+    }
+
+    /// Remembers cells that it has changed.
+    #[inline]
+    pub(super) fn touch(&mut self, (first, end): (i32, i32)) {
+        self.touched = (self.touched.0.min(first), self.touched.1.max(end));
     }
 
     pub(super) const fn winding(&self) -> i32 {
@@ -75,10 +157,11 @@ impl AreaEdge {
         self.x = self.x.wrapping_add(self.step);
     }
 
-    /// The rows that it goes through from border to border.
+    /// The rows that it goes through from border to border. Where a curve goes on at the lower one, that is another row.
     #[inline]
-    pub(super) const fn whole_rows(&self) -> Range<i32> {
-        end_row(self.top)..self.bottom >> 8
+    pub(super) fn whole_rows(&self) -> Range<i32> {
+        let end = self.bottom - i32::from(self.pieces.is_some());
+        end_row(self.top)..end >> 8
     }
 
     /// The first of its ends that lies between parts of a row, exclusively; else `until`.
@@ -95,13 +178,6 @@ impl AreaEdge {
         } else {
             (self.from, self.to) = (ELSEWHERE, ELSEWHERE);
         }
-    }
-
-    /// Places it in the row, between its own ends.
-    #[inline]
-    pub(super) fn place_all(&mut self, row: i32) {
-        let [top, bottom] = [self.top, self.bottom].map(|y| (y - (row << 8)).clamp(0, PARTS));
-        (self.from, self.to) = (self.at(top), self.at(bottom));
     }
 
     /// Places it in a row that it crosses from border to border, and steps to the next.
@@ -143,8 +219,20 @@ impl RowEdge for AreaEdge {
 
     #[inline]
     fn end_row(&self) -> i32 {
-        end_row(self.bottom)
+        end_row(self.pieces.map_or(self.bottom, |pieces| pieces.bottom))
     }
+}
+
+/// No cell.
+const UNTOUCHED: (i32, i32) = (i32::MAX, i32::MIN);
+
+/// Where an edge crosses the upper border of a row, and how much farther right a row below.
+fn line(Directed { upper, lower, .. }: Directed, row: i32) -> (i64, i64) {
+    let (top, bottom) = (upper.y.to_bits(), lower.y.to_bits());
+    // Both are less than 2³⁰.
+    let step = slope(lower.x.to_bits() - upper.x.to_bits(), bottom - top);
+    let down = i64::from(row) * i64::from(PARTS) - i64::from(top);
+    ((i64::from(upper.x.to_bits()) << 24).wrapping_add(part(step, down)), step)
 }
 
 /// The first row that lies wholly below `y` 256ths of a pixel.
@@ -173,7 +261,6 @@ fn slope(dx: i32, dy: i32) -> i64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::space::Point2;
     use proptest::prelude::*;
 
     fn coordinate() -> impl Strategy<Value = i32> {
@@ -192,8 +279,8 @@ mod tests {
             let edge = Directed { upper: Point2::from_sixteenths(x0, y0), lower: Point2::from_sixteenths(x1, y1), winding: 1 };
             let first = y0 >> 8;
             let row = first + enter % (end_row(y1) - first);
-            let entered = AreaEdge::new(edge, row);
-            let mut walked = AreaEdge::new(edge, row.saturating_sub(20).max(first));
+            let entered = AreaEdge::new(Stretch::Edge(edge), row);
+            let mut walked = AreaEdge::new(Stretch::Edge(edge), row.saturating_sub(20).max(first));
             for _ in row.saturating_sub(20).max(first)..row {
                 walked.advance();
             }

@@ -49,11 +49,8 @@ pub use self::{edge::AreaEdge, mask::CoverageMask, oversample::Oversampled};
 use crate::{
     coverage::{Coverage, Covered},
     num::{index, low_index},
-    outline::{Outline, each_fine_edge},
-    raster::{
-        active::ActiveList,
-        area::edge::{PARTS, end_row},
-    },
+    outline::{Outline, each_stretch},
+    raster::{active::ActiveList, area::edge::PARTS},
     space::Rect,
     span::Sink,
     style::Rule,
@@ -137,9 +134,8 @@ impl<O: Outline> Scan<'_, '_, O> {
     fn enter(&mut self, row: i32) {
         let outline = self.outline;
         self.list.enter(row, |list| {
-            each_fine_edge(outline, |edge| {
-                let rows = edge.upper.y.to_bits() >> 8..end_row(edge.lower.y.to_bits());
-                list.offer(rows, row, |first_row| AreaEdge::new(edge, first_row));
+            each_stretch(outline, |stretch| {
+                list.offer(AreaEdge::rows_of(&stretch), row, |first_row| AreaEdge::new(stretch, first_row));
             });
         });
     }
@@ -160,6 +156,9 @@ impl<O: Outline> Scan<'_, '_, O> {
         let is_known = self.list.knows(row);
         let edges = self.list.active();
         let is_apart = is_known && is_whole && are_apart(edges);
+        if !is_apart {
+            edges.iter_mut().for_each(AreaEdge::begin_row);
+        }
         let mut at = left;
         while at < right {
             let length = right.abs_diff(at).min(low_index(self.cells.len()));
@@ -168,6 +167,7 @@ impl<O: Outline> Scan<'_, '_, O> {
             if is_apart {
                 emit_apart(edges, &mut cells, (row, self.rule), sink)?;
             } else if is_known {
+                edges.iter_mut().for_each(|edge| edge.begin_part(row));
                 add_bands(edges, &mut cells, row, self.rule);
                 emit_between(edges, &mut cells, row, sink)?;
             } else {
@@ -205,12 +205,12 @@ fn add_strips<O: Outline>(outline: &O, cells: &mut Cells, row: i32, rule: Rule) 
 /// Where edges cross the middle of a strip next to the right, and what they wind there together.
 fn next_crossing<O: Outline>(outline: &O, (row, middle): (i32, i32), left: i64) -> Option<(i64, i32)> {
     let mut next: Option<(i64, i32)> = None;
-    each_fine_edge(outline, |edge| {
-        let rows = edge.upper.y.to_bits() >> 8..end_row(edge.lower.y.to_bits());
-        if !rows.contains(&row) {
+    each_stretch(outline, |stretch| {
+        if !AreaEdge::rows_of(&stretch).contains(&row) {
             return;
         }
-        let edge = AreaEdge::new(edge, row);
+        let mut edge = AreaEdge::new(stretch, row);
+        while edge.go_on(row, middle) {}
         let x = edge.at(middle);
         if edge.crosses(row, middle) && x > left {
             next = Some(match next {
