@@ -68,6 +68,10 @@ mod runs;
 mod space;
 mod span;
 mod style;
+mod svg;
+mod svg_arc;
+mod svg_data;
+mod svg_number;
 mod target;
 pub mod vary;
 
@@ -141,6 +145,7 @@ pub use space::{
 };
 pub use span::{Sink, SpanFn};
 pub use style::{Cap, FillStyle, Join, Rule, Stroke, StrokeStyle};
+pub use svg::{SvgError, SvgPath, SvgProblem};
 pub use target::{Brush, Code, Ink, Target};
 
 pub use tone::{

@@ -24,6 +24,7 @@ use crate::{
     space::Rect,
     span::Sink,
     style::{Join, Stroke, StrokeStyle},
+    svg::SvgPath,
     target::Paint,
 };
 
@@ -87,6 +88,7 @@ stroked!(
     [] Chord,
     [] Sector,
     [] RoundedRectangle,
+    [] SvgPath<'_>,
     [O: Outline] Placed<O>,
 );
 
