@@ -12,8 +12,8 @@
 //!   have been mapped. So an icon of 24 units is as smooth at 96 pixels as one that was made for that: at most one
 //!   sixteenth off, as [`curve`](crate::curve) says. Arcs become cubic curves, at most 0.03 % of their radius off.
 //! - **Memory** none; the text is read anew each time that it is traced.
-//! - **Cost** some 20 instructions a byte and one division of 64 bits a number with a fraction; two square roots
-//!   and six divisions an arc. A path that is drawn many times a second is better kept as [`Path`](crate::Path).
+//! - **Cost** reading every byte, one division of 64 bits for a number with a fraction; five square
+//!   roots and twelve divisions for an arc. A path that is drawn many times a second is better kept as [`Path`](crate::Path).
 
 use embedded_graphics::{geometry::Point, transform::Transform};
 

@@ -13,7 +13,7 @@
 //! that are too short for the chord, `h > 1`, are made longer, until it is a diameter. Implementation notes of W3C,
 //! *Scalable Vector Graphics 2*, appendix B.2; without its angles, so that there is no arc tangent.
 //!
-//! Everything is integers: vectors of the circle with 30 fraction bits. Two square roots and six divisions an arc.
+//! Everything is integers: vectors of the circle with 30 fraction bits. Five square roots and twelve divisions an arc.
 //! The control points are good to 0.03 % of the radius; a chord that is nearly a diameter leaves its centre uncertain,
 //! by 0.003 % of the radius.
 
