@@ -86,7 +86,7 @@ impl Affine {
     pub fn then(self, next: Self) -> Self {
         let element = |row: [Scalar; 2], column: usize| {
             let [a, b] = [self.x, self.y].map(|of| of.get(column).copied().unwrap_or_default());
-            Scalar::from_bits(saturate_i32(combined(row, [a.to_bits(), b.to_bits()])))
+            Scalar::from_bits(saturate_i32(combined(row, [a.to_bits(), b.to_bits()], 16)))
         };
         Self::new(
             [element(next.x, 0), element(next.x, 1)],
@@ -103,19 +103,28 @@ impl Affine {
 
     /// Where a point goes on a screen so many times as large.
     fn apply_times(self, times: i32, point: Point2) -> Point2 {
-        let [x, y] = [point.x.to_bits(), point.y.to_bits()];
-        let place = |row, origin: Subpixel| {
-            saturate_i32(combined(row, [x, y]).saturating_add(i64::from(origin.to_bits()) * i64::from(times)))
+        self.place([point.x, point.y].map(Subpixel::to_bits), 16, times)
+    }
+
+    /// Where a place in pixels of 16.16 goes on a screen so many times, 1 or 16, as large: rounded only there.
+    pub(crate) fn apply_units(self, times: i32, units: [i32; 2]) -> Point2 {
+        self.place(units, if times == 1 { 28 } else { 24 }, times)
+    }
+
+    /// Drops so many bits of the products.
+    fn place(self, of: [i32; 2], bits: u32, times: i32) -> Point2 {
+        let coordinate = |row, origin: Subpixel| {
+            saturate_i32(combined(row, of, bits).saturating_add(i64::from(origin.to_bits()) * i64::from(times)))
         };
-        Point2::from_sixteenths(place(self.x, self.origin.x), place(self.y, self.origin.y))
+        Point2::from_sixteenths(coordinate(self.x, self.origin.x), coordinate(self.y, self.origin.y))
     }
 }
 
-/// `row[0]·of[0] + row[1]·of[1]`, to the nearest.
-fn combined([a, b]: [Scalar; 2], of: [i32; 2]) -> i64 {
+/// `row[0]·of[0] + row[1]·of[1]`, without so many fraction bits, to the nearest.
+fn combined([a, b]: [Scalar; 2], of: [i32; 2], bits: u32) -> i64 {
     let product = |factor: Scalar, of: i32| i64::from(factor.to_bits()) * i64::from(of);
     // Each product is at most 2⁶²; two of these at the negative end are one too many.
-    product(a, of[0]).saturating_add(product(b, of[1])).saturating_add(1 << 15) >> 16
+    product(a, of[0]).saturating_add(product(b, of[1])).saturating_add(1 << (bits - 1)) >> bits
 }
 
 /// An outline that is mapped as it is traced.

@@ -78,6 +78,10 @@ mod space;
 mod span;
 mod srgb;
 mod style;
+mod svg;
+mod svg_arc;
+mod svg_data;
+mod svg_number;
 mod target;
 pub mod text;
 mod typeface;
@@ -161,6 +165,7 @@ pub use space::{
 };
 pub use span::{Sink, SpanFn};
 pub use style::{AntialiasedStyle, Cap, FillStyle, Join, Rule, Stroke, StrokeStyle};
+pub use svg::{SvgError, SvgPath, SvgProblem};
 pub use target::{Brush, Code, Ink, Target};
 pub use text::{Glyphs, Text};
 

@@ -19,6 +19,7 @@ use crate::{
         scan::{ActiveEdge, contains, fill},
     },
     style::{FillStyle, Rule},
+    svg::SvgPath,
     target::Paint,
 };
 
@@ -73,6 +74,7 @@ primitive!(
     [] Chord,
     [] Sector,
     [] RoundedRectangle,
+    [] SvgPath<'_>,
     [O: Outline] Placed<O>,
 );
 

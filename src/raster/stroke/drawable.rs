@@ -24,6 +24,7 @@ use crate::{
     space::Rect,
     span::Sink,
     style::{Join, Stroke, StrokeStyle},
+    svg::SvgPath,
     target::Paint,
     text::Text,
     typeface::Typeface,
@@ -89,6 +90,7 @@ stroked!(
     [] Chord,
     [] Sector,
     [] RoundedRectangle,
+    [] SvgPath<'_>,
     [O: Outline] Placed<O>,
 );
 
