@@ -20,7 +20,7 @@
 //! | [`clip`] | lines, polygons, points in clip space | what is inside |
 //! | [`raster`] | lines, outlines, strokes, triangles | spans |
 //! | [`hidden`] | fragments with depth | the nearest |
-//! | [`fragment`] | spans | colours: patterns, pictures, gradients |
+//! | [`fragment`] | spans; sub-frames | colours: patterns, pictures, gradients; motion blur |
 //! | [`tone`] | colours of any system | light, corrected colours |
 //! | [`display`] | light or colours | packed bytes |
 //!
@@ -115,7 +115,7 @@ pub use display::{
     dirty::{Changed, Dirty, DirtyWindow, Grain, Tracked},
     dither::{
         BAYER_2X2, BAYER_4X4, BAYER_8X8, BAYER_16X16, BLUE_NOISE_16, BLUE_NOISE_64, CodeMask, Dithered,
-        DitheredDrawTarget, FrameRateControl, IntoLight, R2Noise, RankMask,
+        DitheredDrawTarget, FrameRateControl, Interleaved, IntoLight, R2Noise, RankMask,
     },
     font::GlyphSheet,
     frame::{Frame, Spacing, TooSmall},
@@ -131,6 +131,7 @@ pub use error::OutOfRange;
 pub use fragment::{
     blend::{Blended, OnBackground, SoftBrush},
     gradient::{Extend, LinearGradient, RadialGradient},
+    motion::Exposure,
     pattern::{Pattern, Stencil},
     picture::PictureInk,
 };

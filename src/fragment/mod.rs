@@ -2,15 +2,16 @@
 //!
 //! - **Takes** spans of pixels.
 //! - **Gives** colours, or light for a [`Dithered`](crate::Dithered) target.
-//! - **Memory** none beyond the pattern or the picture that is lent.
+//! - **Memory** none beyond the pattern or the picture that is lent; an accumulation buffer for [motion] blur.
 //! - **Cost** a run of a [pattern] whose width divides 8 costs about what a plain run costs; a
 //!   [gradient] some additions a pixel; a [picture] a read a pixel.
 //!
-//! Everything here is an [`Ink`](crate::Ink), so it fills any shape: `polygon.spans(…, &mut
+//! All but the exposure of [motion] is an [`Ink`](crate::Ink), so it fills any shape: `polygon.spans(…, &mut
 //! Brush::new(target, ink))`, or as a [`FillStyle`](crate::FillStyle). An ink begins at its *anchor*: the
 //! corner of the screen, unless it is moved along with an object.
 
 pub mod blend;
 pub mod gradient;
+pub mod motion;
 pub mod pattern;
 pub mod picture;

@@ -1,5 +1,8 @@
 //! Error diffusion, scaling, and how good dithers are.
 
+#[path = "../eye/mod.rs"]
+mod eye;
+
 mod curve;
 mod flat;
 mod oracle;

@@ -33,6 +33,7 @@ mod blue_noise;
 mod codes;
 mod draw;
 mod frames;
+mod instants;
 mod noise;
 mod rank;
 
@@ -40,6 +41,7 @@ pub use blue_noise::{BLUE_NOISE_16, BLUE_NOISE_64};
 pub use codes::{CodeMask, PackedRows};
 pub use draw::{DitheredDrawTarget, GreyLevels, IntoLight, IntoSrgb, Quantise};
 pub use frames::{FrameRateControl, OddFrames};
+pub use instants::Interleaved;
 pub use noise::R2Noise;
 pub(in crate::display) use rank::even;
 pub use rank::{BAYER_2X2, BAYER_4X4, BAYER_8X8, BAYER_16X16, RankMask, UnevenRanks};

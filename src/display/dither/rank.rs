@@ -87,9 +87,14 @@ impl<'a, const W: usize, const H: usize> RankMask<'a, W, H> {
         Self { ranks, half_step: (1_u32 << 31).div_ceil(low_index(count)) }
     }
 
+    /// How many ranks there are, 1 to 256.
+    pub(super) const fn count(&self) -> u32 {
+        (1_u32 << 31).div_ceil(self.half_step)
+    }
+
     /// The ranks of a row of the screen.
     #[inline]
-    fn ranks(&self, row: i32) -> &'a [u8; W] {
+    pub(super) fn ranks(&self, row: i32) -> &'a [u8; W] {
         let row = index(row.checked_rem_euclid(count_i32(H)).unwrap_or(0));
         let ranks = self.ranks.get(row.wrapping_mul(W)..).and_then(<[u8]>::first_chunk);
         ranks.unwrap_or(const { &[0; W] })
