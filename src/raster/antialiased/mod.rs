@@ -36,6 +36,7 @@ use crate::{
     space::Rect,
     span::Sink,
     style::{AntialiasedStyle, Rule},
+    svg::SvgPath,
     target::run_area,
     text::Text,
     typeface::Typeface,
@@ -145,6 +146,7 @@ antialiased!(
     [] Chord,
     [] Sector,
     [] RoundedRectangle,
+    [] SvgPath<'_>,
     [O: Outline] Placed<O>,
 );
 antialiased!(
