@@ -52,7 +52,9 @@ fn uncrossed(edges: &mut [AreaEdge], row: i32, (top, until): (i32, i32), least: 
     sort_by_key(edges, |edge| (edge.from, edge.to));
     let Some(parts) = first_crossing(edges, until - top) else { return until };
     let bottom = until.min(top + parts.max(least));
-    edges.iter_mut().for_each(|edge| edge.place(row, (top, bottom)));
+    for edge in &mut *edges {
+        edge.place(row, (top, bottom));
+    }
     sort_by_key(edges, |edge| edge.from + edge.to);
     bottom
 }

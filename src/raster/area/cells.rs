@@ -11,7 +11,7 @@
 //! pixel; the cells of one edge always sum to its height exactly, and an edge that is added and taken away leaves
 //! nothing, so that shapes that share an edge cover its pixels once.
 //!
-//! Accumulating signed areas is the method of R. Levien's *font-rs* and of FreeType's smooth rasteriser; here only
+//! Accumulating signed areas is the method of R. Levien's *font-rs* and of `FreeType`'s smooth rasteriser; here only
 //! borders of the inside are added, so that the winding rule holds.
 
 use crate::{
@@ -201,7 +201,7 @@ impl<'m> Cells<'m> {
             *cell = Coverage::of_sum(*sum);
         }
         let emitted = sink.span(row, self.left + from..self.left + to, Covered::Each(cells));
-        cells.iter_mut().for_each(|cell| *cell = Coverage::NONE);
+        cells.fill(Coverage::NONE);
         emitted
     }
 
@@ -282,8 +282,8 @@ const fn behind(twice: u32, height: u32) -> u32 {
 
 /// Quotient and remainder; a total function has no panic path.
 #[inline]
-const fn divided(dividend: u32, divisor: u32) -> (u32, u32) {
-    if divisor == 0 { (0, 0) } else { (dividend / divisor, dividend % divisor) }
+fn divided(dividend: u32, divisor: u32) -> (u32, u32) {
+    (dividend.checked_div(divisor).unwrap_or(0), dividend.checked_rem(divisor).unwrap_or(0))
 }
 
 /// Parts of 256 of a row's height in 32768ths.

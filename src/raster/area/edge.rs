@@ -244,7 +244,7 @@ pub(super) const fn end_row(y: i32) -> i32 {
 /// `step · parts / 256`, rounded down, modulo 2⁶⁴.
 #[inline]
 const fn part(step: i64, parts: i64) -> i64 {
-    (step >> 8).wrapping_mul(parts).wrapping_add((step & 0xFF) * parts >> 8)
+    (step >> 8).wrapping_mul(parts).wrapping_add(((step & 0xFF) * parts) >> 8)
 }
 
 /// `dx / dy` with 32 fraction bits, rounded down; `dy` is positive.

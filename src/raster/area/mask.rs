@@ -135,7 +135,10 @@ impl<B: AsMut<[u8]>> Sink<Covered<'_>> for CoverageMask<B> {
         match covered {
             Covered::Evenly(Coverage::FULL) => run.fill(255),
             Covered::Evenly(coverage) => {
-                run.iter_mut().for_each(|byte| *byte = (*byte).max(coverage.to_byte()));
+                let new = coverage.to_byte();
+                for byte in run {
+                    *byte = (*byte).max(new);
+                }
             }
             Covered::Each(cells) => {
                 for (byte, cell) in run.iter_mut().zip(cells) {

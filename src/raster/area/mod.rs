@@ -167,7 +167,9 @@ impl<O: Outline> Scan<'_, '_, O> {
             if is_apart {
                 emit_apart(edges, &mut cells, (row, self.rule), sink)?;
             } else if is_known {
-                edges.iter_mut().for_each(|edge| edge.begin_part(row));
+                for edge in &mut *edges {
+                    edge.begin_part(row);
+                }
                 add_bands(edges, &mut cells, row, self.rule);
                 emit_between(edges, &mut cells, row, sink)?;
             } else {
