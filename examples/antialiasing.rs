@@ -107,14 +107,18 @@ fn lines(screen: &mut Screen) -> Result<(), Infallible> {
 fn text(screen: &mut Screen, font: &TrueType) -> Result<(), Infallible> {
     let mut screen = Blended::new(screen);
     let white = AntialiasedStyle::fill(Gray4::WHITE);
-    for (row, size) in [(53, 10), (68, 13), (88, 19)] {
-        let text = Text::new(font, "Aquatint: AVATAR, Wölfe & 0123", Subpixel::from_num(size), Point2::corner(3, row));
+    for (row, size, words) in [
+        (53, 10, "Aquatint: AVATAR, Wölfe & 0123"),
+        (68, 13, "kerned, on 256ths of a pixel"),
+        (89, 20, "Aquatint, Wölfe"),
+    ] {
+        let text = Text::new(font, words, Subpixel::from_num(size), Point2::corner(3, row));
         text.into_styled(white).draw(&mut screen)?;
     }
     let turned = Affine::turn(Angle::from_degrees(-24.0));
     let text = Text::new(font, "turned", Subpixel::from_num(15), Point2::corner(208, 62)).with_map(turned);
     text.into_styled(white).draw(&mut screen)?;
-    let strokes = Text::new(&Hershey::DUPLEX, "Hershey", Subpixel::from_num(17), Point2::corner(200, 84));
+    let strokes = Text::new(&Hershey::DUPLEX, "Hershey", Subpixel::from_num(17), Point2::corner(186, 88));
     strokes.into_styled(AntialiasedStyle::stroke(Gray4::WHITE, 1)).draw(&mut screen)?;
     let icon = HEART.scaled(Scalar::from_num(1.4)).translate(Point::new(214, 3));
     icon.into_styled(AntialiasedStyle::fill(Gray4::WHITE)).draw(&mut screen)
@@ -154,16 +158,18 @@ fn ball(light: &mut Frame<Light, Words, [u8; 2880]>, center: Point2, mode: Blend
 
 /// The same words on two bits, on one bit by a threshold, and on one bit with dithered coverage.
 fn depths(screen: &mut Screen, font: &TrueType) -> Result<(), Infallible> {
-    let words = |words, left| Text::new(font, words, Subpixel::from_num(20), Point2::corner(left, 18));
-    let Ok(mut two) = Frame::<Gray2, Rows, _>::with_array([0; 64 * STRIP as usize], WIDTH, STRIP) else { return Ok(()) };
+    let words = |words, left| Text::new(font, words, Subpixel::from_num(19), Point2::corner(left, 18));
+    let Ok(mut two) = Frame::<Gray2, Rows, _>::with_array([0; 64 * STRIP as usize], WIDTH, STRIP) else {
+        return Ok(());
+    };
     words("2 bits", 3).into_styled(AntialiasedStyle::fill(Gray2::WHITE)).draw(&mut Blended::new(&mut two))?;
     let Ok(mut one) = Frame::<BinaryColor, Rows, _>::with_array([0; 32 * STRIP as usize], WIDTH, STRIP) else {
         return Ok(());
     };
-    words("1 bit", 80).into_styled(AntialiasedStyle::fill(BinaryColor::On)).draw(&mut Blended::new(&mut one))?;
+    words("1 bit", 72).into_styled(AntialiasedStyle::fill(BinaryColor::On)).draw(&mut Blended::new(&mut one))?;
     let mut dithered = Dithered::new(&mut one, Levels::ONE_BIT);
     let style = AntialiasedStyle::fill(Light::WHITE);
-    words("1 bit, dithered", 140).into_styled(style).draw(&mut Blended::new(&mut dithered))?;
+    words("1 bit, dithered", 124).into_styled(style).draw(&mut Blended::new(&mut dithered))?;
     let strip = Rectangle::new(Point::new(0, 0), Size::new(WIDTH, STRIP));
     for at in strip.points() {
         let is_on = one.pixel(at).is_some_and(BinaryColor::is_on);
