@@ -58,8 +58,8 @@ impl<'m> Cells<'m> {
         Self { cells, left }
     }
 
-    /// Emits the pixels of an edge that goes through the whole row and shares them with none, and before it the inside
-    /// from cell `at` on; gives the first cell behind.
+    /// Emits the pixels of an edge that goes through the whole row, from its left to its right end, and shares them with
+    /// none, and before it the inside from cell `at` on; gives the first cell behind.
     #[inline]
     pub(super) fn emit_edge<S, E>(
         &mut self,
@@ -71,7 +71,8 @@ impl<'m> Cells<'m> {
     where
         S: for<'c> Sink<Covered<'c>, Error = E>,
     {
-        let (left, right) = self.relative((from, to));
+        let origin = i64::from(self.left) << 16;
+        let (left, right) = (from.wrapping_sub(origin), to.wrapping_sub(origin));
         if left < 0 || right >= i64::from(count_i32(self.cells.len())) << 16 {
             return self.emit_clipped((from, to), (side, at), row, sink);
         }

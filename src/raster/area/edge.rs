@@ -180,12 +180,14 @@ impl AreaEdge {
         }
     }
 
-    /// Places it in a row that it crosses from border to border, and steps to the next.
+    /// Places it in a row that it crosses from border to border, from left to right, and steps to the next.
     #[inline]
-    pub(super) const fn place_whole(&mut self) {
-        self.from = self.x >> 16;
+    pub(super) fn place_whole(&mut self) -> (i64, i64) {
+        let above = self.x >> 16;
         self.advance();
-        self.to = self.x >> 16;
+        let below = self.x >> 16;
+        (self.from, self.to) = (above.min(below), above.max(below));
+        (self.from, self.to)
     }
 
     /// Steps back to the row above.

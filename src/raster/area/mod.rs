@@ -41,7 +41,6 @@ use core::ops::Range;
 use heapless::vec::VecView;
 
 use self::{
-    apart::{are_apart, emit_apart},
     bands::{add_bands, emit_between},
     cells::{Cells, Side, height_of},
 };
@@ -111,10 +110,7 @@ where
         let is_known = scan.list.knows(row);
         let change = if is_known { scan.list.next_change(row).min(bounds.bottom) } else { row + 1 };
         if !(is_known && scan.list.active().is_empty()) {
-            let whole = scan.whole_rows();
-            for row in row..change {
-                scan.emit_row(row, whole.contains(&row), sink)?;
-            }
+            scan.emit_rows(row..change, sink)?;
         }
         row = change;
     }
@@ -146,27 +142,44 @@ impl<O: Outline> Scan<'_, '_, O> {
         rows.fold(i32::MIN..i32::MAX, |all, rows| all.start.max(rows.start)..all.end.min(rows.end))
     }
 
-    /// One row, in as many parts as the cells make of it.
+    /// Rows in which the same edges are active.
     #[inline]
-    fn emit_row<S, E>(&mut self, row: i32, is_whole: bool, sink: &mut S) -> Result<(), E>
+    fn emit_rows<S, E>(&mut self, rows: Range<i32>, sink: &mut S) -> Result<(), E>
+    where
+        S: for<'c> Sink<Covered<'c>, Error = E>,
+    {
+        let whole = self.whole_rows();
+        let is_one_part = self.bounds.width() <= low_index(self.cells.len()) && self.list.knows(rows.start);
+        let mut row = rows.start;
+        while row < rows.end {
+            if is_one_part && whole.contains(&row) {
+                let mut cells = Cells::new(self.cells, self.bounds.left);
+                let rows = row..rows.end.min(whole.end);
+                row = apart::emit_rows(self.list.active(), rows, (&mut cells, self.rule), sink)?;
+            }
+            if row < rows.end {
+                self.emit_row(row, sink)?;
+                row += 1;
+            }
+        }
+        Ok(())
+    }
+
+    /// One row, in as many parts as the cells make of it.
+    fn emit_row<S, E>(&mut self, row: i32, sink: &mut S) -> Result<(), E>
     where
         S: for<'c> Sink<Covered<'c>, Error = E>,
     {
         let Rect { left, right, .. } = self.bounds;
         let is_known = self.list.knows(row);
         let edges = self.list.active();
-        let is_apart = is_known && is_whole && are_apart(edges);
-        if !is_apart {
-            edges.iter_mut().for_each(AreaEdge::begin_row);
-        }
+        edges.iter_mut().for_each(AreaEdge::begin_row);
         let mut at = left;
         while at < right {
             let length = right.abs_diff(at).min(low_index(self.cells.len()));
             let cells = self.cells.get_mut(..index(length.cast_signed())).unwrap_or_default();
             let mut cells = Cells::new(cells, at);
-            if is_apart {
-                emit_apart(edges, &mut cells, (row, self.rule), sink)?;
-            } else if is_known {
+            if is_known {
                 for edge in &mut *edges {
                     edge.begin_part(row);
                 }
@@ -178,9 +191,7 @@ impl<O: Outline> Scan<'_, '_, O> {
             }
             at = at.saturating_add_unsigned(length);
         }
-        if !is_apart {
-            edges.iter_mut().for_each(AreaEdge::advance);
-        }
+        edges.iter_mut().for_each(AreaEdge::advance);
         Ok(())
     }
 }
