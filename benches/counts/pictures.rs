@@ -18,9 +18,9 @@ enum Difference {
 /// The one place that lists the items that peers draw otherwise.
 fn difference(Label { item, who, .. }: Label) -> Difference {
     match item {
-        // Coverage. tiny-skia takes 16 samples a pixel; the others compute in floats, and cut curves more coarsely.
+        // Coverage. tiny-skia takes 16 samples a pixel; the others compute in floats, and cut curves into few chords.
         _ if item.ends_with("_aa") && who == "tiny-skia" => Difference::Bytes(64),
-        "path_fill_aa" => Difference::Bytes(40),
+        "path_fill_aa" | "word_aa" => Difference::Bytes(40),
         _ if item.ends_with("_aa") => Difference::Bytes(6),
         // aquatint fills the pixels whose centres are inside (the top-left rule, so that neighbours
         // share no pixel); embedded-graphics also draws the outline, in pixels half outside. The whole

@@ -76,6 +76,7 @@ pub fn all(memory: &mut [u8; MEMORY], visitor: &mut impl Visitor) {
     rows(memory, visitor);
     grey(memory, visitor);
     single(memory, visitor);
+    written(memory, visitor);
     desk(visitor);
 }
 
@@ -110,6 +111,19 @@ fn desk(visitor: &mut impl Visitor) {
     soft_peer("tiny-skia", soft_peers::TinySkia::new(), visitor);
     soft_peer("zeno", soft_peers::Zeno::new(), visitor);
     soft_peer("ab_glyph_rasterizer", soft_peers::AbGlyph::new(), visitor);
+    for &(item, draw) in soft::words() {
+        let label = Label { item, panel: soft::PANEL, who: "ab_glyph_rasterizer" };
+        visitor.visit(label, &mut soft_peers::AbGlyph::new(), draw);
+    }
+}
+
+/// Shows what we can on the desk only.
+#[cfg(not(target_os = "none"))]
+fn written(memory: &mut [u8; MEMORY], visitor: &mut impl Visitor) {
+    let Some(mut mask) = soft::Alpha::new(memory) else { return };
+    for &(item, draw) in soft::words() {
+        visitor.visit(Label { item, panel: soft::PANEL, who: OURS }, &mut mask, draw);
+    }
 }
 
 #[cfg(not(target_os = "none"))]

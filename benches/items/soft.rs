@@ -130,3 +130,36 @@ impl Surface for Alpha<'_> {
         look(self.0.bytes());
     }
 }
+
+/// Those who read fonts.
+#[cfg(not(target_os = "none"))]
+pub trait Writes: Soft {
+    /// A word in Inter, 24 pixels an em, its baseline beginning at (4, 40): the font is read for it.
+    fn write(&mut self, word: &str);
+}
+
+#[cfg(not(target_os = "none"))]
+pub fn words<'s, S: Writes>() -> &'s [Item<S>] {
+    &[("word_aa", |s| {
+        s.write(black_box("Aquatint"));
+        Ok(())
+    })]
+}
+
+/// The font, as its file is.
+#[cfg(not(target_os = "none"))]
+pub fn font() -> &'static [u8] {
+    black_box(include_bytes!("../../examples/assets/inter.ttf"))
+}
+
+#[cfg(not(target_os = "none"))]
+impl Writes for Alpha<'_> {
+    fn write(&mut self, word: &str) {
+        use aquatint::{Rect, Subpixel, Text, TrueType};
+
+        // A font that cannot be read would show as an empty picture.
+        let Ok(font) = TrueType::parse(font()) else { return };
+        let text = Text::new(&font, word, Subpixel::from_num(24), Point2::corner(4, 40));
+        text.glyphs(Rect::of_size(SIZE)).for_each(|glyph| self.fill(&glyph));
+    }
+}

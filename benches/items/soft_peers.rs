@@ -2,6 +2,7 @@
 
 use core::convert::Infallible;
 
+use ab_glyph::{Font as _, FontRef, ScaleFont as _};
 use ab_glyph_rasterizer::{Rasterizer, point};
 use embedded_graphics::{
     Pixel,
@@ -14,7 +15,7 @@ use zeno::{Command, PathBuilder as _, Vector};
 
 use super::{
     peers::{Polygons, Shapes, Surface},
-    soft::{SIZE, Soft},
+    soft::{SIZE, Soft, Writes, font},
 };
 
 /// A point in floats.
@@ -220,5 +221,29 @@ impl Soft for AbGlyph {
             self.rasterizer.draw_line(*from, *to);
         }
         self.finish();
+    }
+}
+
+/// With the font reader that belongs to it, which draws glyph by glyph.
+impl Writes for AbGlyph {
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "inside of the picture")]
+    fn write(&mut self, word: &str) {
+        let font = FontRef::try_from_slice(font()).expect("a font");
+        let units = f32::from(24_u8) * font.height_unscaled() / font.units_per_em().expect("a font");
+        let scaled = font.as_scaled(units);
+        let (mut x, mut last) = (4.0, None);
+        for id in word.chars().map(|character| font.glyph_id(character)) {
+            x += last.map_or(0.0, |last| scaled.kern(last, id));
+            if let Some(outline) = font.outline_glyph(id.with_scale_and_position(units, ab_glyph::point(x, 40.0))) {
+                let corner = outline.px_bounds().min;
+                let (left, top) = (corner.x as usize, corner.y as usize);
+                outline.draw(|column, row, alpha| {
+                    let byte = &mut self.bytes[(top + row as usize) * SIZE.width as usize + left + column as usize];
+                    *byte = (*byte).max((alpha.min(1.0) * 255.0 + 0.5) as u8);
+                });
+            }
+            x += scaled.h_advance(id);
+            last = Some(id);
+        }
     }
 }
