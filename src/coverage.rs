@@ -60,11 +60,12 @@ impl Coverage {
         Self(Self::FULL.0.saturating_sub(self.0))
     }
 
-    /// What a sum has come to that may have left the range by rounding. Sums are taken modulo 2¹⁶.
+    /// The amount that a sum has come to, positive or negative, which may have left the range by rounding. Sums are taken
+    /// modulo 2¹⁶.
     #[inline]
     pub(crate) const fn of_sum(sum: u16) -> Self {
-        // A little below zero is a number near 2¹⁶.
-        if sum >= 3 << 14 { Self::NONE } else { Self::new(sum) }
+        // A little more than all is a little less; all is the one number that has no negative.
+        Self(sum.cast_signed().unsigned_abs())
     }
 
     /// An area of 0 to 32768 parts.

@@ -231,6 +231,9 @@ impl Run {
         // Not the height of the first vertex either.
         let y = self.vertex(0).y.to_bits().max(y);
         let (mut above, mut below) = (0, self.len());
+        if self.vertex(1).y.to_bits() > y {
+            return 0;
+        }
         while below - above > 1 {
             let middle = u32::midpoint(above, below);
             if self.vertex(middle).y.to_bits() > y { below = middle } else { above = middle }
@@ -276,6 +279,15 @@ impl<F: FnMut(Stretch)> Pen for Stretches<F> {
         let curve = curve.coarser();
         let start = curve.vertex_at(0);
         self.line_to(start);
+        if let Some(winding) = curve.slope() {
+            let (first, last) = (0, curve.len());
+            let (upper, lower) = if winding > 0 { (first, last) } else { (last, first) };
+            if winding != 0 {
+                (self.take)(Stretch::Run(Run { curve, upper, lower, winding }));
+            }
+            self.last = curve.vertex_at(last);
+            return;
+        }
         let (take, mut last) = (&mut self.take, start);
         // The vertex where the present stretch began, and +1 where it goes down, −1 up, 0 while it is level.
         let (mut from, mut number, mut winding) = (0, 0, 0);

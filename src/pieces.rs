@@ -48,25 +48,19 @@ impl Curve {
     /// A quadratic Bézier curve: start, control point, end.
     pub(crate) fn quadratic(points: [Point2; 3]) -> Self {
         let [from, control, to] = points.map(|point| point.nearest_within(LIMIT));
-        let [x, y] = Axis::of_quadratic([from, control, to]);
         // M / 4n² ≤ 1/4
-        Self::bezier(Kind::Quadratic, [from, control, to, to], length(x.square, y.square))
+        Self::bezier(Kind::Quadratic, [from, control, to, to], bend(Axis::of_quadratic([from, control, to])))
     }
 
     /// A cubic Bézier curve: start, two control points, end.
     pub(crate) fn cubic(points: [Point2; 4]) -> Self {
         let points = points.map(|point| point.nearest_within(LIMIT));
-        let [x, y] = Axis::of_cubic(points);
-        // The second differences at the start, three times, and at the end.
-        let bend = length(x.square, y.square).max(length(x.square + 3 * x.cube, y.square + 3 * y.cube));
         // 3M / 4n² ≤ 1/4
-        Self::bezier(Kind::Cubic, points, bend)
+        Self::bezier(Kind::Cubic, points, bend(Axis::of_cubic(points)))
     }
 
     fn bezier(kind: Kind, points: [Point2; 4], bend: u64) -> Self {
-        // The least k with 4ᵏ ≥ `bend`, as far as allowed.
-        let digits = u64::BITS - bend.saturating_sub(1).leading_zeros();
-        let halvings = digits.div_ceil(2).min(MOST_HALVINGS);
+        let halvings = halvings(bend).min(MOST_HALVINGS);
         Self { kind, points, halvings: low_u8(halvings), pieces: 1 << halvings, is_distinct: false }
     }
 
@@ -86,17 +80,46 @@ impl Curve {
         Self { pieces: self.pieces.saturating_sub(1), ..self }
     }
 
-    /// The same in half as many pieces, four times as far from their chords.
-    pub(crate) const fn coarser(mut self) -> Self {
-        let Some(halvings) = self.halvings.checked_sub(1) else { return self };
+    /// The same in half as many pieces or a quarter, as long as it is at most 2 sixteenths from their chords.
+    pub(crate) fn coarser(self) -> Self {
+        // For each bit of this the error is four times as large.
+        let excess = match self.kind {
+            Kind::Quadratic => spare(bend(Axis::of_quadratic(self.three())), self.halvings),
+            Kind::Cubic => spare(bend(Axis::of_cubic(self.points)), self.halvings),
+            Kind::Arc => 1,
+        };
+        self.halved(excess.min(self.halvings))
+    }
+
+    /// The same in `2^times` times fewer pieces.
+    fn halved(mut self, times: u8) -> Self {
         let is_whole = self.pieces == 1 << self.halvings;
-        self.pieces = (1 << halvings) - if is_whole { 0 } else { 1 };
-        self.halvings = halvings;
-        if matches!(self.kind, Kind::Arc) {
+        self.halvings = self.halvings.saturating_sub(times);
+        self.pieces = (1 << self.halvings) - u32::from(!is_whole);
+        if self.kind == Kind::Arc {
             let [_, _, _, turns] = &mut self.points;
-            *turns = Point2::from_sixteenths(turns.x.to_bits(), turns.y.to_bits().wrapping_mul(2));
+            *turns = Point2::from_sixteenths(turns.x.to_bits(), turns.y.to_bits().wrapping_shl(times.into()));
         }
         self
+    }
+
+    /// +1 where all of the curve goes down, −1 where it goes up, 0 where it is level, if the control points say so.
+    pub(crate) fn slope(&self) -> Option<i32> {
+        let [a, b, c, d] = self.points.map(|point| point.y);
+        let (least, most) = (a.min(d), a.max(d));
+        let is_monotone = match self.kind {
+            Kind::Arc => return None,
+            // The end stands there twice.
+            Kind::Quadratic => (least..=most).contains(&b),
+            Kind::Cubic => {
+                if a <= d {
+                    a <= b && b <= c && c <= d
+                } else {
+                    a >= b && b >= c && c >= d
+                }
+            }
+        };
+        is_monotone.then_some(i32::from(a < d) - i32::from(a > d))
     }
 
     /// The same arc, drawn without the pieces that have no length.
@@ -151,6 +174,9 @@ impl Curve {
     pub(crate) fn vertex_at(&self, number: u32) -> Point2 {
         let [center, _, _, turns] = self.points;
         match self.kind {
+            Kind::Quadratic | Kind::Cubic if number == 0 => center,
+            // Of a quadratic curve it is the end, too.
+            Kind::Quadratic | Kind::Cubic if number == 1 << self.halvings => turns,
             Kind::Quadratic => vertex(Axis::of_quadratic(self.three()), self.halvings.into(), number),
             Kind::Cubic => vertex(Axis::of_cubic(self.points), self.halvings.into(), number),
             Kind::Arc => {
@@ -219,6 +245,22 @@ fn arc_halvings(radii: [Point2; 2], sweep: i32) -> u32 {
     let sweep = u64::from(sweep.unsigned_abs());
     let chords = (25 * radius * sweep * sweep) >> 32;
     (u64::BITS - chords.leading_zeros()).div_ceil(2).min(16)
+}
+
+/// The least k with 4ᵏ ≥ `bend`.
+fn halvings(bend: u64) -> u32 {
+    let digits = u64::BITS - bend.saturating_sub(1).leading_zeros();
+    digits.div_ceil(2)
+}
+
+/// How many halvings too many there are where an error of 2 will do, in place of ¼.
+fn spare(bend: u64, halvings_now: u8) -> u8 {
+    halvings_now.saturating_sub(low_u8(halvings(bend.div_ceil(8))))
+}
+
+/// The longest second difference; of a cubic one at the start and at the end, three times.
+fn bend([x, y]: [Axis; 2]) -> u64 {
+    length(x.square, y.square).max(length(x.square + 3 * x.cube, y.square + 3 * y.cube))
 }
 
 /// No less than the length of a vector, and at most an eighth more.

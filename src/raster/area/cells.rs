@@ -188,6 +188,12 @@ impl<'m> Cells<'m> {
         (low_i32((left >> 16).clamp(0, end)), low_i32(((right >> 16) + 1).clamp(0, end)))
     }
 
+    /// Empties the cells that an edge has changed.
+    pub(super) fn clear(&mut self, (first, end): (i32, i32)) {
+        let end = index(end.saturating_add(1)).min(self.cells.len());
+        self.cells.get_mut(index(first)..end).unwrap_or_default().fill(Coverage::NONE);
+    }
+
     /// Sums up some cells behind those that sum to `sum`, emits their coverage and leaves zeros.
     #[inline]
     pub(super) fn emit<S, E>(&mut self, (from, to): (i32, i32), sum: &mut u16, row: i32, sink: &mut S) -> Result<(), E>

@@ -39,6 +39,8 @@ pub struct AreaEdge {
     top: i32,
     bottom: i32,
     winding: i32,
+    /// Between which parts of the row it is, once it was added as a whole.
+    pub(super) parts: (i32, i32),
     /// The cells that it has changed in the row: the first, and the first behind.
     pub(super) touched: (i32, i32),
     pieces: Option<Pieces>,
@@ -72,7 +74,7 @@ impl AreaEdge {
         };
         let (x, step) = line(edge, row);
         let (top, bottom) = (edge.upper.y.to_bits(), edge.lower.y.to_bits());
-        Self { x, step, from: 0, to: 0, top, bottom, winding: edge.winding, touched: UNTOUCHED, pieces }
+        Self { x, step, from: 0, to: 0, top, bottom, winding: edge.winding, parts: (0, 0), touched: UNTOUCHED, pieces }
     }
 
     /// The rows that a stretch reaches into.
@@ -168,6 +170,12 @@ impl AreaEdge {
     pub(super) fn next_end(&self, row: i32, (after, until): (i32, i32)) -> i32 {
         let inside = |y: i32| (y - (row << 8) > after).then_some(y - (row << 8));
         [self.top, self.bottom].into_iter().filter_map(inside).fold(until, i32::min)
+    }
+
+    /// Between which parts of a row it is, or its present piece.
+    #[inline]
+    pub(super) fn ends_in(&self, row: i32) -> (i32, i32) {
+        ((self.top - (row << 8)).max(0), (self.bottom - (row << 8)).min(PARTS))
     }
 
     /// Places it between two parts of a row, which its ends are not between.

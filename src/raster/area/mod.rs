@@ -35,6 +35,7 @@ mod cells;
 mod edge;
 mod mask;
 mod oversample;
+mod plain;
 
 use core::ops::Range;
 
@@ -43,6 +44,7 @@ use heapless::vec::VecView;
 use self::{
     bands::{add_bands, emit_between},
     cells::{Cells, Side, height_of},
+    plain::{add_plain, take_back},
 };
 pub use self::{edge::AreaEdge, mask::CoverageMask, oversample::Oversampled};
 use crate::{
@@ -180,10 +182,7 @@ impl<O: Outline> Scan<'_, '_, O> {
             let cells = self.cells.get_mut(..index(length.cast_signed())).unwrap_or_default();
             let mut cells = Cells::new(cells, at);
             if is_known {
-                for edge in &mut *edges {
-                    edge.begin_part(row);
-                }
-                add_bands(edges, &mut cells, row, self.rule);
+                add_row(edges, &mut cells, row, self.rule);
                 emit_between(edges, &mut cells, row, sink)?;
             } else {
                 add_strips(self.outline, &mut cells, row, self.rule);
@@ -193,6 +192,17 @@ impl<O: Outline> Scan<'_, '_, O> {
         }
         edges.iter_mut().for_each(AreaEdge::advance);
         Ok(())
+    }
+}
+
+/// Adds what lies inside of a row.
+fn add_row(edges: &mut [AreaEdge], cells: &mut Cells, row: i32, rule: Rule) {
+    let begin = |edges: &mut [AreaEdge]| edges.iter_mut().for_each(|edge| edge.begin_part(row));
+    begin(edges);
+    if !add_plain(edges, cells, row) {
+        take_back(edges, cells);
+        begin(edges);
+        add_bands(edges, cells, row, rule);
     }
 }
 

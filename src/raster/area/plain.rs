@@ -1,0 +1,79 @@
+//! Rows in which nothing overlaps: each edge adds its area by its winding, whatever the others do.
+//!
+//! That is the usual row of a shape whose contours do not cross: no edge needs to know where others begin and end, so
+//! that curves of many pieces cost no more than their pieces. It is only right where the winding number is nowhere
+//! beyond 0 and 1, or 0 and −1; so that is looked at afterwards, and else the row is summed up again in
+//! [bands](super::bands).
+
+use super::{
+    cells::{Cells, Side, height_of},
+    edge::{AreaEdge, PARTS},
+};
+use crate::raster::active::sort_by_key;
+
+/// Adds all edges of a row, which are sorted from left to right then. Whether that is the coverage of the row.
+pub(super) fn add_plain(edges: &mut [AreaEdge], cells: &mut Cells, row: i32) -> bool {
+    for edge in &mut *edges {
+        add_pieces(edge, cells, row);
+    }
+    sort_by_key(edges, |edge| edge.from);
+    lie_side_by_side(edges) && wind_once(edges)
+}
+
+/// Takes back what was added.
+#[cold]
+pub(super) fn take_back(edges: &[AreaEdge], cells: &mut Cells) {
+    edges.iter().for_each(|edge| cells.clear(edge.touched));
+}
+
+/// Adds an edge, or all pieces of a curve, and remembers how far they reach.
+fn add_pieces(edge: &mut AreaEdge, cells: &mut Cells, row: i32) {
+    let side = if edge.winding() > 0 { Side::Left } else { Side::Right };
+    let (begin, mut end) = edge.ends_in(row);
+    let (mut top, mut least, mut most) = (begin, i64::MAX, i64::MIN);
+    loop {
+        let (from, to) = (edge.at(top), edge.at(end));
+        (least, most) = (least.min(from.min(to)), most.max(from.max(to)));
+        cells.add_edge((from, to), height_of(end - top), side);
+        if !edge.go_on(row, PARTS - 1) {
+            break;
+        }
+        (top, end) = edge.ends_in(row);
+    }
+    edge.go_on(row, PARTS);
+    (edge.from, edge.to, edge.parts) = (least, most, (begin, end));
+    edge.touch(cells.touched((least, most)));
+}
+
+/// Whether no two edges that are there at the same height reach over each other.
+fn lie_side_by_side(edges: &[AreaEdge]) -> bool {
+    let mut rest = edges;
+    while let [left, others @ ..] = rest {
+        let near = others.iter().take_while(|right| right.from < left.to);
+        if near.into_iter().any(|right| left.parts.0 < right.parts.1 && right.parts.0 < left.parts.1) {
+            return false;
+        }
+        rest = others;
+    }
+    true
+}
+
+/// Whether the edges, from left to right, lead in and out by turns, in the same way wherever one begins or ends.
+fn wind_once(edges: &[AreaEdge]) -> bool {
+    let Some(way) = way_at(edges, 0) else { return false };
+    let changes = edges.iter().flat_map(|edge| [edge.parts.0, edge.parts.1]).filter(|part| (1..PARTS).contains(part));
+    changes.into_iter().all(|part| way_at(edges, part).is_some_and(|other| way == 0 || other == 0 || way == other))
+}
+
+/// Which way the first edge at a height winds, 0 where there is none; nothing where the edges do not wind by turns.
+fn way_at(edges: &[AreaEdge], part: i32) -> Option<i32> {
+    let (mut way, mut last) = (0, 0);
+    for edge in edges.iter().filter(|edge| edge.parts.0 <= part && part < edge.parts.1) {
+        if edge.winding() == last {
+            return None;
+        }
+        last = edge.winding();
+        way = if way == 0 { last } else { way };
+    }
+    Some(way)
+}
