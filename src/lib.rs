@@ -77,6 +77,7 @@ mod runs;
 mod space;
 mod span;
 mod srgb;
+mod stretch;
 mod style;
 mod svg;
 mod svg_arc;

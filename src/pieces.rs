@@ -155,6 +155,19 @@ impl Curve {
         Some(if is_whole { mapped } else { mapped.without_last() })
     }
 
+    /// Points that hold it between them.
+    pub(crate) fn hull(&self) -> [Point2; 4] {
+        let [center, a, b, _] = self.points;
+        if self.kind != Kind::Arc {
+            return self.points;
+        }
+        let reach = |a: Subpixel, b: Subpixel| a.to_bits().abs().saturating_add(b.to_bits().abs());
+        let (x, y) = (reach(a.x, b.x), reach(a.y, b.y));
+        [(-x, -y), (x, y), (-x, y), (x, -y)].map(|(x, y)| {
+            Point2::from_sixteenths(center.x.to_bits().saturating_add(x), center.y.to_bits().saturating_add(y))
+        })
+    }
+
     /// How many edges stand for it.
     #[must_use]
     pub fn pieces(&self) -> usize {

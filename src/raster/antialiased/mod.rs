@@ -6,7 +6,7 @@
 //!
 //! - **Takes** outlines, lines between pixels, circles and rectangles of pixels.
 //! - **Gives** a target runs of [`Alpha`] colours, by [area averaging](super::area).
-//! - **Memory** about 1 KB of the stack: 16 edges, 64 cells.
+//! - **Memory** about 2 KB of the stack: 12 edges or curves, 128 cells.
 
 mod primitives;
 
@@ -74,7 +74,7 @@ where
     C: PixelColor,
     D: DrawTarget<Color = Alpha<C>>,
 {
-    let (mut edges, mut cells) = (Vec::<AreaEdge, 16>::new(), [Coverage::NONE; 64]);
+    let (mut edges, mut cells) = (Vec::<AreaEdge, 12>::new(), [Coverage::NONE; 128]);
     let bounds = display.bounding_box().into();
     let mut sink = SoftPaint { display, bounds, color, curve };
     fill(outline, rule, Scratch { edges: &mut edges, cells: &mut cells }, &mut sink)
@@ -125,7 +125,7 @@ macro_rules! antialiased {
             type Color = Alpha<C>;
             type Output = ();
 
-            /// By area averaging, with about 1 KB of the stack.
+            /// By area averaging, with about 2 KB of the stack.
             fn draw_styled<D: DrawTarget<Color = Alpha<C>>>(
                 &self,
                 style: &AntialiasedStyle<C>,

@@ -14,9 +14,10 @@ use core::ops::Range;
 
 use crate::{
     num::{divide_floor, divide_floor_i32},
-    outline::{Directed, Run, Stretch},
+    outline::Directed,
     raster::{active::RowEdge, area::cells::Side},
     space::Point2,
+    stretch::{Run, Stretch},
     style::Rule,
 };
 

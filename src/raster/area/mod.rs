@@ -1,8 +1,16 @@
 //! Area averaging: how much of each pixel an outline covers, exactly. Lecture 6.4.
 //!
-//! The inside of an outline by either winding rule, cut by the pixels; no samples. A row is cut into *bands*
-//! in which no edge begins, ends or crosses another; there the edges have an order, the rule says which of them are
-//! borders of the inside, and each border adds the area right of it to the pixels that it crosses.
+//! The inside of an outline by either winding rule, cut by the pixels; no samples. Each edge adds the area right of it
+//! to the pixels that it crosses, on the left of the inside, or takes it away, on the right. Where contours overlap, only
+//! the borders of their union may do so: there a row is cut into *bands* in which no edge begins, ends or crosses
+//! another, so that the edges have an order and the rule says which of them are borders.
+//!
+//! | row | how | file |
+//! |---|---|---|
+//! | edges go through, each in pixels of its own | coverage of one edge, no sum | `apart.rs` |
+//! | nothing overlaps | all edges are summed up, then it is looked at whether that was right | `plain.rs` |
+//! | the rest | bands | `bands.rs` |
+//! | more edges than the list holds | 16 strips, edge by edge | here |
 //!
 //! ```text
 //!   ┌───┬───┬───┬───┐
@@ -19,8 +27,8 @@
 //!   are not covered may be among them.
 //! - **Memory** of the caller's: a list of edges, and cells for one row, two bytes each. Both may be short: cells for a
 //!   part of the row are used again and again, and a row of more edges than the list holds is sampled in 16 strips.
-//! - **Cost** an edge 100 instructions to set up (a division); then about 50 for each row that it crosses and 15 for
-//!   each pixel; a division more for a row in which it crosses a column.
+//! - **Cost** an edge 100 instructions to set up (a division); then about 100 for each row that it crosses and 20 for
+//!   each pixel; a division more for a row in which it crosses a column. A curve 150 for each of its pieces.
 //!
 //! **How exact.** An area is right to 0.1/256 of a pixel where no edges cross, and so are the sums of areas that shapes
 //! share a pixel with. Edges that cross in a pixel are parted to 1/64 of a row: 7/256 at most, half a step in
@@ -50,17 +58,19 @@ pub use self::{edge::AreaEdge, mask::CoverageMask, oversample::Oversampled};
 use crate::{
     coverage::{Coverage, Covered},
     num::{index, low_index},
-    outline::{Outline, each_stretch},
+    outline::Outline,
     raster::{active::ActiveList, area::edge::PARTS},
     space::Rect,
     span::Sink,
+    stretch::{columns, each_stretch},
     style::Rule,
 };
 
 /// Memory that [`fill`] works with. What it holds before and after means nothing.
 #[derive(Debug)]
 pub struct Scratch<'m> {
-    /// 48 bytes each; 16 are enough for most shapes. It should hold all edges that reach into one row.
+    /// 136 bytes each; 12 are enough for most shapes. It should hold all edges that reach into one row; a curve is one
+    /// for each time that it goes down or up.
     pub edges: &'m mut VecView<AreaEdge>,
     /// Two bytes each; best as many as the row is wide. Any number will do.
     pub cells: &'m mut [Coverage],
@@ -96,7 +106,11 @@ where
     O: Outline,
     S: for<'c> Sink<Covered<'c>, Error = E>,
 {
-    let bounds = sink.bounds();
+    let mut bounds = sink.bounds();
+    if low_index(scratch.cells.len()) < bounds.width() {
+        let columns = columns(outline);
+        (bounds.left, bounds.right) = (bounds.left.max(columns.start), bounds.right.min(columns.end));
+    }
     if bounds.is_empty() {
         return Ok(());
     }

@@ -1,0 +1,177 @@
+//! Outlines for antialiasing: contours on 256ths of a pixel, as stretches that only go down or only up.
+//!
+//! ```text
+//!   trace_fine ──move_to, line_to, curve_to──▶ Stretch::Edge   a straight edge
+//!                                              Stretch::Run    pieces of a curve, up to where it turns
+//! ```
+//!
+//! A run is a curve with the numbers of two vertices, so that a list of edges holds it in one place.
+
+use core::ops::Range;
+
+use crate::{
+    edge::LIMIT,
+    outline::{Directed, FINE, Outline, Pen},
+    pieces::Curve,
+    space::Point2,
+};
+
+/// Points of [`Outline::trace_fine`] are nearer to zero than this.
+const FINE_LIMIT: u32 = LIMIT * FINE.cast_unsigned();
+
+/// A part of a contour that only goes down, or only up.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum Stretch {
+    /// A straight edge, not horizontal.
+    Edge(Directed),
+    /// Pieces of a curve, not all of them horizontal.
+    Run(Run),
+}
+
+/// Pieces of a curve from above to below, by the numbers of their first and their last vertex.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Run {
+    pub(crate) curve: Curve,
+    pub(crate) upper: u32,
+    pub(crate) lower: u32,
+    pub(crate) winding: i32,
+}
+
+impl Run {
+    /// How many pieces it has.
+    pub(crate) const fn len(&self) -> u32 {
+        self.upper.abs_diff(self.lower)
+    }
+
+    /// The vertices from above, counted from 0.
+    pub(crate) fn vertex(&self, place: u32) -> Point2 {
+        let place = place.min(self.len());
+        let number =
+            if self.upper < self.lower { self.upper.wrapping_add(place) } else { self.upper.wrapping_sub(place) };
+        self.curve.vertex_at(number)
+    }
+
+    /// The pieces from above, counted from 0; behind the last one there is a level one.
+    pub(crate) fn piece(&self, place: u32) -> Directed {
+        let (upper, lower) = (self.vertex(place), self.vertex(place.saturating_add(1)));
+        Directed { upper, lower, winding: self.winding }
+    }
+
+    /// The first piece that ends below a height and is not level; there is one.
+    pub(crate) fn piece_below(&self, y: i32) -> u32 {
+        // Not the height of the first vertex either.
+        let y = self.vertex(0).y.to_bits().max(y);
+        let (mut above, mut below) = (0, self.len());
+        if self.vertex(1).y.to_bits() > y {
+            return 0;
+        }
+        while below - above > 1 {
+            let middle = u32::midpoint(above, below);
+            if self.vertex(middle).y.to_bits() > y { below = middle } else { above = middle }
+        }
+        above
+    }
+}
+
+/// Gives all stretches of [`Outline::trace_fine`], of contours that are closed where they were left open.
+#[inline]
+pub(crate) fn each_stretch<O: Outline>(outline: &O, take: impl FnMut(Stretch)) {
+    let mut stretches = Stretches { take, first: Point2::default(), last: Point2::default() };
+    outline.trace_fine(&mut stretches);
+    stretches.close();
+}
+
+/// The pen of [`each_stretch`].
+struct Stretches<F> {
+    take: F,
+    first: Point2,
+    last: Point2,
+}
+
+impl<F: FnMut(Stretch)> Pen for Stretches<F> {
+    #[inline]
+    fn move_to(&mut self, point: Point2) {
+        self.close();
+        self.first = point.nearest_within(FINE_LIMIT);
+        self.last = self.first;
+    }
+
+    #[inline]
+    fn line_to(&mut self, point: Point2) {
+        let edge = Directed::between(self.last, point.nearest_within(FINE_LIMIT));
+        self.last = point.nearest_within(FINE_LIMIT);
+        if edge.upper.y < edge.lower.y {
+            (self.take)(Stretch::Edge(edge));
+        }
+    }
+
+    /// In half as many pieces: they are at most a 256th of a pixel from the curve, less than a byte of coverage shows.
+    fn curve_to(&mut self, curve: &Curve) {
+        let curve = curve.coarser();
+        let start = curve.vertex_at(0);
+        self.line_to(start);
+        if let Some(winding) = curve.slope() {
+            let (first, last) = (0, curve.len());
+            let (upper, lower) = if winding > 0 { (first, last) } else { (last, first) };
+            if winding != 0 {
+                (self.take)(Stretch::Run(Run { curve, upper, lower, winding }));
+            }
+            self.last = curve.vertex_at(last);
+            return;
+        }
+        let (take, mut last) = (&mut self.take, start);
+        // The vertex where the present stretch began, and +1 where it goes down, −1 up, 0 while it is level.
+        let (mut from, mut number, mut winding) = (0, 0, 0);
+        let mut end = |from: u32, to: u32, winding: i32| {
+            let (upper, lower) = if winding > 0 { (from, to) } else { (to, from) };
+            if winding != 0 {
+                take(Stretch::Run(Run { curve, upper, lower, winding }));
+            }
+        };
+        curve.each_numbered(|vertex| {
+            let turn = i32::from(vertex.y > last.y) - i32::from(vertex.y < last.y);
+            if turn != 0 && turn != winding {
+                end(from, number, winding);
+                (from, winding) = (number, turn);
+            }
+            (last, number) = (vertex, number + 1);
+        });
+        end(from, number, winding);
+        self.last = last;
+    }
+
+    #[inline]
+    fn close(&mut self) {
+        if self.first != self.last {
+            self.line_to(self.first);
+        }
+    }
+}
+
+/// The columns that the control points of an outline are in: no more of it can be seen. One trace.
+pub(crate) fn columns<O: Outline>(outline: &O) -> Range<i32> {
+    let mut reach = Reach(i32::MAX..i32::MIN);
+    outline.trace_fine(&mut reach);
+    // In 256ths of a pixel; a sixteenth more, because curves are rounded.
+    (reach.0.start.saturating_sub(FINE)) >> 8..(reach.0.end.saturating_add(FINE) >> 8).saturating_add(1)
+}
+
+/// The pen of [`columns`].
+struct Reach(Range<i32>);
+
+impl Pen for Reach {
+    fn move_to(&mut self, point: Point2) {
+        let x = point.nearest_within(FINE_LIMIT).x.to_bits();
+        self.0 = self.0.start.min(x)..self.0.end.max(x);
+    }
+
+    fn line_to(&mut self, point: Point2) {
+        self.move_to(point);
+    }
+
+    fn curve_to(&mut self, curve: &Curve) {
+        curve.hull().into_iter().for_each(|point| self.move_to(point));
+    }
+
+    fn close(&mut self) {}
+}
