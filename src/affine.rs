@@ -129,8 +129,8 @@ fn combined([a, b]: [Scalar; 2], of: [i32; 2], bits: u32) -> i64 {
 
 /// An outline that is mapped as it is traced.
 ///
-/// The straight edges are mapped, not the curves they stand for: scaled up, their distance from the curve
-/// grows with them. Paths that are shown at many sizes are best made large.
+/// Edges and curves are mapped, and curves are cut behind the map, so that they stay smooth where they are scaled up. A curve
+/// that would reach 1,048,576 pixels from the origin is cut before.
 ///
 /// ```
 /// use aquatint::{Affine, FillStyle, Placed, Point2, Polygon, Scalar};
