@@ -19,7 +19,7 @@ impl Edge {
 
 #[derive(Default)]
 struct Edges {
-    edges: Vec<Edge>,
+    all: Vec<Edge>,
     first: Option<(f64, f64)>,
     last: (f64, f64),
 }
@@ -29,9 +29,9 @@ impl Edges {
         let from = self.last;
         self.last = to;
         if from.1 < to.1 {
-            self.edges.push(Edge { top: from, bottom: to, winding: 1 });
+            self.all.push(Edge { top: from, bottom: to, winding: 1 });
         } else if from.1 > to.1 {
-            self.edges.push(Edge { top: to, bottom: from, winding: -1 });
+            self.all.push(Edge { top: to, bottom: from, winding: -1 });
         }
     }
 }
@@ -63,7 +63,7 @@ pub fn coverage(outline: &impl Outline, rule: Rule, window: Rect) -> Vec<f64> {
     let mut edges = Edges::default();
     outline.trace_fine(&mut edges);
     edges.close();
-    let edges = edges.edges;
+    let edges = edges.all;
     window.rows().flat_map(|row| row_coverage(&edges, rule, (row, window))).collect()
 }
 
@@ -131,4 +131,43 @@ fn mean_clamped(from: f64, to: f64) -> f64 {
         }
     };
     if (to - from).abs() < 1e-9 { from.clamp(0.0, 1.0) } else { (integral(to) - integral(from)) / (to - from) }
+}
+
+/// Lines in a row of [`by_lines`].
+const LINES: i32 = 2048;
+
+/// The covered part of each pixel of a window inside of contours of many short edges: the lengths of many lines.
+pub fn by_lines(contours: &[Vec<(f64, f64)>], rule: Rule, window: Rect) -> Vec<f64> {
+    let mut edges = Edges::default();
+    for contour in contours {
+        for (from, to) in contour.iter().zip(contour.iter().cycle().skip(1)) {
+            edges.last = *from;
+            edges.to(*to);
+        }
+    }
+    let edges = edges.all;
+    window.rows().flat_map(|row| row_by_lines(&edges, rule, (row, window))).collect()
+}
+
+fn row_by_lines(edges: &[Edge], rule: Rule, (row, window): (i32, Rect)) -> Vec<f64> {
+    let (top, bottom) = (f64::from(row), f64::from(row + 1));
+    let edges: Vec<Edge> = edges.iter().copied().filter(|edge| edge.top.1 < bottom && edge.bottom.1 > top).collect();
+    let mut covered = vec![0.0; window.columns().len()];
+    for line in 0..LINES {
+        let y = top + (f64::from(line) + 0.5) / f64::from(LINES);
+        let crossed = edges.iter().filter(|edge| edge.top.1 <= y && edge.bottom.1 > y);
+        let mut crossings: Vec<_> = crossed.map(|edge| (edge.at(y), edge.winding)).collect();
+        crossings.sort_by(|a, b| a.0.total_cmp(&b.0));
+        let mut winding = 0;
+        for pair in crossings.windows(2) {
+            winding += pair[0].1;
+            if is_inside(winding, rule) {
+                for (column, covered) in window.columns().zip(&mut covered) {
+                    let part = |x: f64| (x - f64::from(column)).clamp(0.0, 1.0);
+                    *covered += (part(pair[1].0) - part(pair[0].0)) / f64::from(LINES);
+                }
+            }
+        }
+    }
+    covered
 }

@@ -13,7 +13,7 @@ use crate::{
 };
 
 /// Bands in a row as fine as need be; further ones are no lower than a sixteenth of it.
-const FINE_BANDS: i32 = 16;
+const FINE_BANDS: i32 = 64;
 
 /// Adds what lies inside of a row.
 pub(super) fn add_bands(edges: &mut [AreaEdge], cells: &mut Cells, row: i32, rule: Rule) {

@@ -30,9 +30,10 @@
 //! - **Cost** an edge 100 instructions to set up (a division); then about 100 for each row that it crosses and 20 for
 //!   each pixel; a division more for a row in which it crosses a column. A curve 150 for each of its pieces.
 //!
-//! **How exact.** An area is right to 0.1/256 of a pixel where no edges cross, and so are the sums of areas that shapes
-//! share a pixel with. Edges that cross in a pixel are parted to 1/64 of a row: 7/256 at most, half a step in
-//! the mean. In a row with more than eight such bands, and in one with more edges than the list holds, it is 1/16.
+//! **How exact.** An area is right to 0.05/256 of a pixel where no edges cross; shapes that abut sum to all of a pixel
+//! but for 4/32768, and tiles agree as well, bands to the bit. Edges that cross are parted to 1/256 of a row: that is
+//! 2/256 at most. In a row with more than 64 bands it is 4/256, in one with more edges than the list holds 1/16.
+//! Curves are right to 2/256.
 //!
 //! Exact bands improve on the scan converter of cairo (`cairo-tor-scan-converter.c`), which falls back to 15 strips in
 //! every row with a corner.
