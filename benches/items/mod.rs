@@ -29,6 +29,9 @@ use embedded_graphics::{
 use bands::Bands;
 use ours::{Ink, Ours, Packed};
 pub use peers::{Shapes, Surface};
+#[cfg(not(target_os = "none"))]
+#[allow(unused_imports, reason = "the counts have no use for them, the heap has")]
+pub use soft::{LENT, PANEL as SOFT};
 
 /// The longest picture: 400 × 240 at one bit.
 pub const MEMORY: usize = 12_000;

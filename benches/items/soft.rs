@@ -26,6 +26,14 @@ pub const PANEL: &str = "a8";
 /// Of all surfaces of coverage.
 pub const SIZE: Size = Size::new(128, 64);
 
+/// Edges and cells that our fill is lent.
+const EDGES: usize = 16;
+const CELLS: usize = 128;
+
+/// The memory of both, in bytes.
+#[cfg(not(target_os = "none"))]
+pub const LENT: usize = EDGES * size_of::<AreaEdge>() + CELLS * size_of::<Coverage>();
+
 /// Those who draw antialiased.
 pub trait Soft: Polygons {
     /// Two cubic Béziers: an end, two control points, another end, two control points.
@@ -66,7 +74,7 @@ impl<'m> Alpha<'m> {
     }
 
     fn fill(&mut self, outline: &impl Outline) {
-        let (mut edges, mut cells) = (Vec::<AreaEdge, 16>::new(), [Coverage::NONE; 128]);
+        let (mut edges, mut cells) = (Vec::<AreaEdge, EDGES>::new(), [Coverage::NONE; CELLS]);
         let Ok(()) = fill(outline, Rule::NonZero, Scratch { edges: &mut edges, cells: &mut cells }, &mut self.0);
     }
 }

