@@ -202,12 +202,15 @@ impl Curve {
     /// Gives the ends of the pieces, one after the other.
     #[inline]
     pub(crate) fn each(&self, mut give: impl FnMut(Point2)) {
-        let mut last = self.is_distinct.then(|| self.vertex_at(0));
+        if !self.is_distinct {
+            return self.each_numbered(give);
+        }
+        let mut last = self.vertex_at(0);
         self.each_numbered(|vertex| {
-            if last != Some(vertex) {
+            if vertex != last {
                 give(vertex);
             }
-            last = last.map(|_| vertex);
+            last = vertex;
         });
     }
 

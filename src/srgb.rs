@@ -141,7 +141,7 @@ mod tests {
             assert_eq!(<Gray8 as NearestToLight>::nearest_to(Gray8::new(code).into_light()), Gray8::new(code));
             let pale = Rgb332::nearest_to([code; 3]);
             assert_eq!(Rgb332::nearest_to(pale.into_srgb()), pale);
-            let exact = |max: u32| ((u32::from(code) * max * 2 + 255) / 510) as u8;
+            let exact = |max: u32| low_u8((u32::from(code) * max * 2 + 255) / 510);
             assert_eq!((of_eight_bits::<31>(code), of_eight_bits::<63>(code)), (exact(31), exact(63)), "{code}");
         }
         for code in 0..4 {

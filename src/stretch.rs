@@ -150,19 +150,23 @@ impl<F: FnMut(Stretch)> Pen for Stretches<F> {
 
 /// The columns that the control points of an outline are in: no more of it can be seen. One trace.
 pub(crate) fn columns<O: Outline>(outline: &O) -> Range<i32> {
-    let mut reach = Reach(i32::MAX..i32::MIN);
+    let mut reach = Reach { least: i32::MAX, most: i32::MIN };
     outline.trace_fine(&mut reach);
     // In 256ths of a pixel; a sixteenth more, because curves are rounded.
-    (reach.0.start.saturating_sub(FINE)) >> 8..(reach.0.end.saturating_add(FINE) >> 8).saturating_add(1)
+    let end = (reach.most.saturating_add(FINE) >> 8).saturating_add(1);
+    reach.least.saturating_sub(FINE) >> 8..end
 }
 
 /// The pen of [`columns`].
-struct Reach(Range<i32>);
+struct Reach {
+    least: i32,
+    most: i32,
+}
 
 impl Pen for Reach {
     fn move_to(&mut self, point: Point2) {
         let x = point.nearest_within(FINE_LIMIT).x.to_bits();
-        self.0 = self.0.start.min(x)..self.0.end.max(x);
+        (self.least, self.most) = (self.least.min(x), self.most.max(x));
     }
 
     fn line_to(&mut self, point: Point2) {

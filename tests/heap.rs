@@ -1,7 +1,7 @@
 //! What antialiasing takes of the heap while it draws: nothing.
 //!
 //! `cargo test --test heap -- --nocapture` prints the peaks of the peers on the desk, and beside them the memory that our
-//! fill is lent. What peers took before, such as the 32 KB of ab_glyph_rasterizer's picture in floats, and what they take
+//! fill is lent. What peers took before, such as the 32 KB of `ab_glyph_rasterizer`'s picture in floats, and what they take
 //! of the stack is not among it.
 
 #[expect(dead_code, reason = "only some of it is drawn here")]

@@ -31,6 +31,7 @@ const EDGES: usize = 16;
 const CELLS: usize = 128;
 
 /// The memory of both, in bytes.
+#[allow(dead_code, reason = "only a test asks")]
 #[cfg(not(target_os = "none"))]
 pub const LENT: usize = EDGES * size_of::<AreaEdge>() + CELLS * size_of::<Coverage>();
 

@@ -224,7 +224,7 @@ mod tests {
     #[test]
     fn every_share_is_exact() {
         for n in 1..=256_u16 {
-            let step = if n < 8 || n > 250 { 1 } else { 509 };
+            let step = if (8..=250).contains(&n) { 509 } else { 1 };
             for i in [0, 1, n / 2, n.saturating_sub(2), n - 1].into_iter().filter(|&i| i < n) {
                 let share = Share::new(i, n);
                 let (i, n) = (u32::from(i), u32::from(n));

@@ -58,7 +58,8 @@ fn shortened(near: Point, far: Point) -> Point2 {
     }
     let at = |axis: usize, part: i64| {
         let way = i128::from(to[axis] - from[axis]) * i128::from(part);
-        low_i32((from[axis] + i64::try_from(way / i128::from(length)).unwrap_or(0)).clamp(-reach, reach))
+        let moved = way.checked_div(length.into()).and_then(|moved| i64::try_from(moved).ok());
+        low_i32((from[axis] + moved.unwrap_or(0)).clamp(-reach, reach))
     };
     Point2::from_sixteenths(at(0, excess[axis]), at(1, excess[axis]))
 }

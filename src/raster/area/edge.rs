@@ -301,7 +301,7 @@ mod tests {
             let y = (row << 8) + part;
             let [dx, dy, down] = [x1.abs_diff(x0), y1.abs_diff(y0), y.abs_diff(y0)].map(i128::from);
             let dx = if x1 < x0 { -dx } else { dx };
-            let exact = (i128::from(x0) << 8) + (dx * down << 8).div_euclid(dy);
+            let exact = (i128::from(x0) << 8) + ((dx * down) << 8).div_euclid(dy);
             let error = i128::from(entered.at(part)) - exact;
             prop_assert!((-(down >> 24) - 2..=1).contains(&error), "{error}");
         }

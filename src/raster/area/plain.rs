@@ -23,7 +23,9 @@ pub(super) fn add_plain(edges: &mut [AreaEdge], cells: &mut Cells, row: i32) -> 
 /// Takes back what was added.
 #[cold]
 pub(super) fn take_back(edges: &[AreaEdge], cells: &mut Cells) {
-    edges.iter().for_each(|edge| cells.clear(edge.touched));
+    for edge in edges {
+        cells.clear(edge.touched);
+    }
 }
 
 /// Adds an edge, or all pieces of a curve, and remembers how far they reach.
