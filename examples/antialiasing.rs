@@ -25,7 +25,7 @@ const WIDTH: u32 = 256;
 const HEIGHT: u32 = 160;
 const STRIP: u32 = 24;
 
-type Screen = Frame<Gray4, Rows, [u8; (WIDTH * HEIGHT / 2) as usize]>;
+type Screen = Frame<Gray4, Rows, Vec<u8>>;
 
 /// An icon of 24 units, checked while compiling.
 static HEART: SvgPath = match SvgPath::new(
@@ -56,8 +56,8 @@ fn main() -> ExitCode {
 
 fn run(options: &Options) -> Result<(), String> {
     let font = TrueType::parse(include_bytes!("assets/inter.ttf")).map_err(|error| error.to_string())?;
-    let bytes = [0; (WIDTH * HEIGHT / 2) as usize];
-    let mut screen = Screen::with_array(bytes, WIDTH, HEIGHT).map_err(|error| error.to_string())?;
+    let bytes = vec![0; Frame::<Gray4, Rows, ()>::bytes_needed(WIDTH, HEIGHT)];
+    let mut screen = Screen::new(bytes, WIDTH, HEIGHT).map_err(|error| error.to_string())?;
     let Ok(()) = draw(&mut screen, &font);
     let panel = Panel { width: WIDTH, height: HEIGHT, packing: Packing::RowsMsbFirst, ..Panel::SSD1322_256X64 };
     let picture = panel.render(screen.bytes(), Zoom { scale: 3, gap: 0 }).map_err(|error| error.to_string())?;
