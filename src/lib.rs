@@ -18,9 +18,9 @@
 //! | [`model`] | arrays, fonts in flash | a checked mesh, typefaces |
 //! | [`geometry`] | vertices, matrices, a lamp | screen points with depth; light |
 //! | [`clip`] | lines, polygons, points in clip space | what is inside |
-//! | [`raster`] | lines, outlines, strokes, triangles | spans |
+//! | [`raster`] | lines, outlines, strokes, text, triangles | spans, with their coverage where they are antialiased |
 //! | [`hidden`] | fragments with depth | the nearest |
-//! | [`fragment`] | spans; sub-frames | colours: patterns, pictures, gradients; motion blur |
+//! | [`fragment`] | spans, coverage; sub-frames | colours: patterns, pictures, gradients; blending; motion blur |
 //! | [`tone`] | colours of any system | light, corrected colours |
 //! | [`display`] | light or colours | packed bytes |
 //!

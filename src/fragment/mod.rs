@@ -1,12 +1,12 @@
-//! Fragment processing: what the pixels of a shape look like. Lecture 1.5 and 5.4.
+//! Fragment processing: what the pixels of a shape look like. Lecture 1.5, 5.4 and 6.
 //!
-//! - **Takes** spans of pixels.
+//! - **Takes** spans of pixels, and coverage to [blend].
 //! - **Gives** colours, or light for a [`Dithered`](crate::Dithered) target.
 //! - **Memory** none beyond the pattern or the picture that is lent; an accumulation buffer for [motion] blur.
 //! - **Cost** a run of a [pattern] whose width divides 8 costs about what a plain run costs; a
 //!   [gradient] some additions a pixel; a [picture] a read a pixel.
 //!
-//! All but the exposure of [motion] is an [`Ink`](crate::Ink), so it fills any shape: `polygon.spans(…, &mut
+//! Patterns, pictures and gradients are [`Ink`](crate::Ink)s, so they fill any shape: `polygon.spans(…, &mut
 //! Brush::new(target, ink))`, or as a [`FillStyle`](crate::FillStyle). An ink begins at its *anchor*: the
 //! corner of the screen, unless it is moved along with an object.
 

@@ -2,8 +2,10 @@
 //!
 //! - **Takes** lines between pixels, whole-pixel circles and ellipses; polygons, paths, strokes and triangles
 //!   with points on sixteenths of a pixel.
-//! - **Gives** spans to a [`Sink`](crate::Sink), restricted to its bounds without moving a pixel.
-//! - **Memory** a list of edges of the caller's for outlines; none for lines, circles and triangles.
+//! - **Gives** spans to a [`Sink`](crate::Sink), restricted to its bounds without moving a pixel; with their coverage
+//!   where they are antialiased.
+//! - **Memory** a list of edges of the caller's for outlines, and a row of cells for coverage; none for lines, circles and
+//!   triangles.
 //! - **Cost** proportional to what is visible plus the number of edges, never to how large a
 //!   coordinate is.
 //!
@@ -11,8 +13,9 @@
 //! |---|---|---|
 //! | two pixels | the line between them | [`bresenham`], [`dda`], with a pattern [`stipple`], as an area [`thick_line`] |
 //! | a square, a rectangle of pixels | what it holds | [`circle`], [`ellipse`] |
-//! | [`polygon`], [`path`], [`rounded_rectangle`], [`polyline`], arcs … | what they enclose | [`scan`] |
+//! | [`polygon`], [`path`], [`rounded_rectangle`], [`polyline`], arcs, [text](crate::Text), [SVG](crate::SvgPath) … | what they enclose | [`scan`] |
 //! | the same | what a pen along them covers | [`stroke`], then [`scan`] |
+//! | the same, and lines, circles, rectangles | how much of each pixel they cover | [`area`], with colours [`antialiased`] |
 //! | three corners with attributes | ramps | [`triangle`] |
 //! | a picture and a pixel of it | the region around it | [`flood`] |
 //!
