@@ -170,6 +170,8 @@ impl<O: Outline> Placed<O> {
 }
 
 impl<O: Outline> Outline for Placed<O> {
+    const WINDS_ONE_WAY: bool = O::WINDS_ONE_WAY;
+
     fn trace<P: Pen>(&self, pen: &mut P) {
         self.outline.trace(&mut Mapped { pen, map: self.map, times: 1 });
     }

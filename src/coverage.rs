@@ -68,6 +68,12 @@ impl Coverage {
         Self(sum.cast_signed().unsigned_abs())
     }
 
+    /// A difference modulo 2¹⁶, for a row that is summed up.
+    #[inline]
+    pub(crate) const fn of_difference(difference: u16) -> Self {
+        Self(difference)
+    }
+
     /// An area of 0 to 32768 parts.
     #[inline]
     pub(crate) const fn of_area(parts: u32) -> Self {

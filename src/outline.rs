@@ -38,6 +38,10 @@ use crate::{
 /// # assert_eq!(aquatint::pixel_bounds(&Kite(4)), aquatint::Rect::new(0, 0, 8, 12));
 /// ```
 pub trait Outline {
+    /// Whether all of its contours wind the same way around, so that what overlaps is inside by the non-zero rule
+    /// whichever contour it is looked at. Antialiasing gets by with less memory then. A stroke is such an outline.
+    const WINDS_ONE_WAY: bool = false;
+
     /// Draws the contours, one after the other, the same ones each time.
     fn trace<P: Pen>(&self, pen: &mut P);
 
@@ -76,6 +80,8 @@ pub trait Pen {
 }
 
 impl<O: Outline> Outline for &O {
+    const WINDS_ONE_WAY: bool = O::WINDS_ONE_WAY;
+
     fn trace<P: Pen>(&self, pen: &mut P) {
         (**self).trace(pen);
     }

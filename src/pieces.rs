@@ -80,7 +80,7 @@ impl Curve {
         Self { pieces: self.pieces.saturating_sub(1), ..self }
     }
 
-    /// The same in half as many pieces or a quarter, as long as it is at most 2 sixteenths from their chords.
+    /// The same in half as many pieces or a quarter, as long as it is at most 1.5 sixteenths from their chords.
     pub(crate) fn coarser(self) -> Self {
         // For each bit of this the error is four times as large.
         let excess = match self.kind {
@@ -269,9 +269,9 @@ fn halvings(bend: u64) -> u32 {
     digits.div_ceil(2)
 }
 
-/// How many halvings too many there are where an error of 2 will do, in place of ¼.
+/// How many halvings too many there are where an error of 1.5 will do, in place of ¼.
 fn spare(bend: u64, halvings_now: u8) -> u8 {
-    halvings_now.saturating_sub(low_u8(halvings(bend.div_ceil(8))))
+    halvings_now.saturating_sub(low_u8(halvings(bend.div_ceil(6))))
 }
 
 /// The longest second difference; of a cubic one at the start and at the end, three times.

@@ -105,7 +105,7 @@ impl<F: FnMut(Stretch)> Pen for Stretches<F> {
         }
     }
 
-    /// In half as many pieces: they are at most a 256th of a pixel from the curve, less than a byte of coverage shows.
+    /// In fewer pieces: they are at most 1.5 256ths of a pixel from the curve, and coverage is right to 2/256.
     fn curve_to(&mut self, curve: &Curve) {
         let curve = curve.coarser();
         let start = curve.vertex_at(0);

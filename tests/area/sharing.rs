@@ -9,7 +9,7 @@ use super::{WINDOW, apart, drawn, oracle, point, worst};
 const ACROSS: usize = 5;
 const DOWN: usize = 4;
 /// 32768ths of a pixel that a sum of shapes may be off: edges are rounded in other bands on the other side.
-const SUM: i32 = 4;
+const SUM: i32 = 8;
 
 /// The corners of a grid, moved so little that cells stay apart, and all of them by a part of a pixel.
 fn corners() -> impl Strategy<Value = Vec<Point2>> {

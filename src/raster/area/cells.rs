@@ -188,6 +188,18 @@ impl<'m> Cells<'m> {
         (low_i32((left >> 16).clamp(0, end)), low_i32(((right >> 16) + 1).clamp(0, end)))
     }
 
+    /// Turns sums of heights that were taken `1 << shift` times smaller, and that may exceed a row where contours overlap,
+    /// into those of their union.
+    pub(super) fn unite(&mut self, shift: u32) {
+        let (mut sum, mut before, most) = (0_u16, 0_u16, Coverage::FULL.parts() >> shift);
+        for cell in &mut *self.cells {
+            sum = sum.wrapping_add(cell.parts());
+            let covered = sum.cast_signed().unsigned_abs().min(most) << shift;
+            *cell = Coverage::of_difference(covered.wrapping_sub(before));
+            before = covered;
+        }
+    }
+
     /// Empties the cells that an edge has changed.
     pub(super) fn clear(&mut self, (first, end): (i32, i32)) {
         let end = index(end.saturating_add(1)).min(self.cells.len());

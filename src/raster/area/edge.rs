@@ -179,6 +179,19 @@ impl AreaEdge {
         ((self.top - (row << 8)).max(0), (self.bottom - (row << 8)).min(PARTS))
     }
 
+    /// Gives it, or all pieces of its curve that end above the lower border of a row and the one that crosses it: where they
+    /// are at the upper and the lower one of two parts of the row.
+    #[inline]
+    pub(super) fn each_piece(&mut self, row: i32, mut give: impl FnMut((i64, i64), (i32, i32))) {
+        loop {
+            let parts = self.ends_in(row);
+            give((self.at(parts.0), self.at(parts.1)), parts);
+            if !self.go_on(row, PARTS - 1) {
+                return;
+            }
+        }
+    }
+
     /// Places it between two parts of a row, which its ends are not between.
     #[inline]
     pub(super) fn place(&mut self, row: i32, (top, bottom): (i32, i32)) {

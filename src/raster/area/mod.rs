@@ -10,7 +10,8 @@
 //! | edges go through, each in pixels of its own | coverage of one edge, no sum | `apart.rs` |
 //! | nothing overlaps | all edges are summed up, then it is looked at whether that was right | `plain.rs` |
 //! | the rest | bands | `bands.rs` |
-//! | more edges than the list holds | 16 strips, edge by edge | here |
+//! | more edges of a [stroke](super::stroke) than the list holds | all of them are summed up, what overlaps counts once | `union.rs` |
+//! | more edges of other outlines | 16 strips, edge by edge | here |
 //!
 //! ```text
 //!   ┌───┬───┬───┬───┐
@@ -31,9 +32,10 @@
 //!   each pixel; a division more for a row in which it crosses a column. A curve 150 for each of its pieces.
 //!
 //! **How exact.** An area is right to 0.05/256 of a pixel where no edges cross; shapes that abut sum to all of a pixel
-//! but for 4/32768, and tiles agree as well, bands to the bit. Edges that cross are parted to 1/256 of a row: that is
+//! but for 8/32768, and tiles agree as well, bands to the bit. Edges that cross are parted to 1/256 of a row: that is
 //! 2/256 at most. In a row with more than 64 bands it is 4/256, in one with more edges than the list holds 1/16.
-//! Curves are right to 2/256.
+//! Curves are right to 2/256. Of a stroke with more edges in a row than the list holds, a pixel in which borders of
+//! two pieces cross may be covered too much, by at most what they share.
 //!
 //! Exact bands improve on the scan converter of cairo (`cairo-tor-scan-converter.c`), which falls back to 15 strips in
 //! every row with a corner.
@@ -45,6 +47,7 @@ mod edge;
 mod mask;
 mod oversample;
 mod plain;
+mod union;
 
 use core::ops::Range;
 
@@ -54,6 +57,7 @@ use self::{
     bands::{add_bands, emit_between},
     cells::{Cells, Side, height_of},
     plain::{add_plain, take_back},
+    union::add_union,
 };
 pub use self::{edge::AreaEdge, mask::CoverageMask, oversample::Oversampled};
 use crate::{
@@ -199,6 +203,9 @@ impl<O: Outline> Scan<'_, '_, O> {
             if is_known {
                 add_row(edges, &mut cells, row, self.rule);
                 emit_between(edges, &mut cells, row, sink)?;
+            } else if O::WINDS_ONE_WAY {
+                add_union(self.outline, &mut cells, row);
+                cells.emit_all(row, sink)?;
             } else {
                 add_strips(self.outline, &mut cells, row, self.rule);
                 cells.emit_all(row, sink)?;

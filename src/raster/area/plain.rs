@@ -32,16 +32,11 @@ pub(super) fn take_back(edges: &[AreaEdge], cells: &mut Cells) {
 fn add_pieces(edge: &mut AreaEdge, cells: &mut Cells, row: i32) {
     let side = if edge.winding() > 0 { Side::Left } else { Side::Right };
     let (begin, mut end) = edge.ends_in(row);
-    let (mut top, mut least, mut most) = (begin, i64::MAX, i64::MIN);
-    loop {
-        let (from, to) = (edge.at(top), edge.at(end));
-        (least, most) = (least.min(from.min(to)), most.max(from.max(to)));
-        cells.add_edge((from, to), height_of(end - top), side);
-        if !edge.go_on(row, PARTS - 1) {
-            break;
-        }
-        (top, end) = edge.ends_in(row);
-    }
+    let (mut least, mut most) = (i64::MAX, i64::MIN);
+    edge.each_piece(row, |(from, to), (top, bottom)| {
+        (least, most, end) = (least.min(from.min(to)), most.max(from.max(to)), bottom);
+        cells.add_edge((from, to), height_of(bottom - top), side);
+    });
     edge.go_on(row, PARTS);
     (edge.from, edge.to, edge.parts) = (least, most, (begin, end));
     edge.touch(cells.touched((least, most)));

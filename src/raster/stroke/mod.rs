@@ -43,6 +43,7 @@ use self::{
 use crate::{
     edge::LIMIT,
     outline::{FINE, Outline, Pen, is_fine_within, trace_enlarged},
+    pieces::Curve,
     raster::scan::{ActiveEdge, fill},
     space::Point2,
     span::Sink,
@@ -92,17 +93,19 @@ struct Shape {
     width: u16,
     /// The step of round borders.
     turn: (i32, i32),
+    /// Whether it is enlarged: then curves may be cut into fewer pieces, which are long ones.
+    is_large: bool,
 }
 
 impl Shape {
     fn new(stroke: Stroke, width: u16) -> Self {
-        Self { stroke, width, turn: turn_for(width) }
+        Self { stroke, width, turn: turn_for(width), is_large: false }
     }
 
     /// The same sixteen times as wide, if that is in range.
     fn enlarged(&self) -> Option<Self> {
         let width = u16::try_from(i32::from(self.width) * FINE).ok()?;
-        Some(Self::new(self.stroke, width))
+        Some(Self { is_large: true, ..Self::new(self.stroke, width) })
     }
 
     /// How far from its line the stroke reaches in x or in y, in sixteenths, rounded up.
@@ -136,6 +139,8 @@ impl<O: Outline> Stroked<O> {
 }
 
 impl<O: Outline> Outline for Stroked<O> {
+    const WINDS_ONE_WAY: bool = true;
+
     fn trace<P: Pen>(&self, pen: &mut P) {
         if self.shape.width > 0 {
             let mut stroker = Stroker::new(pen, self.shape);
@@ -204,6 +209,11 @@ impl<P: Pen> Pen for Stroker<'_, P> {
         self.last = point;
     }
 
+    fn curve_to(&mut self, curve: &Curve) {
+        let curve = if self.shape.is_large { curve.coarser() } else { *curve };
+        curve.each(|vertex| self.line_to(vertex));
+    }
+
     fn close(&mut self) {
         self.line_to(self.begin);
         if let Path::Segments(first, last) = self.path {
@@ -226,7 +236,7 @@ impl<'p, P: Pen> Stroker<'p, P> {
             Path::Point => [(self.begin, Direction::EAST.reversed()), (self.begin, Direction::EAST)],
             Path::Segments(first, last) => [(self.begin, first.direction.reversed()), (self.last, last.direction)],
         };
-        let Shape { stroke: Stroke { cap, .. }, width, turn } = self.shape;
+        let Shape { stroke: Stroke { cap, .. }, width, turn, .. } = self.shape;
         for (at, direction) in ends {
             cap::cap(at, direction, (cap, width, turn), self.pen);
         }
@@ -243,7 +253,7 @@ impl<'p, P: Pen> Stroker<'p, P> {
     }
 
     fn join(&mut self, before: Segment, after: Segment) {
-        let Shape { stroke, width, turn } = self.shape;
+        let Shape { stroke, width, turn, .. } = self.shape;
         if let Some(corner) = Corner::between(self.last, before, after) {
             corner.join(stroke.join, width, turn, self.pen);
         }
