@@ -29,7 +29,7 @@ pub(super) fn add_bands(edges: &mut [AreaEdge], cells: &mut Cells, row: i32, rul
             sort_by_key(edges, |edge| edge.from + edge.to);
         }
         add_band(edges, cells, height_of(bottom - top), rule);
-        (top, bands) = (bottom, bands + 1);
+        (top, bands) = (bottom, bands + i32::from(bottom < until));
     }
     edges.iter_mut().for_each(|edge| edge.place_all(row));
     sort_by_key(edges, |edge| edge.from.min(edge.to));
