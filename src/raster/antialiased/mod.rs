@@ -9,6 +9,7 @@
 //! - **Memory** about 2 KB of the stack: 12 edges or curves, 128 cells.
 
 mod primitives;
+mod rings;
 
 use core::ops::Range;
 
@@ -24,7 +25,7 @@ use crate::{
     arc::{Arc, Chord, Oval, Sector},
     blend::Alpha,
     coverage::{Coverage, CoverageCurve, Covered},
-    outline::{Outline, pixel_bounds},
+    outline::{Outline, Pen},
     raster::{
         area::{AreaEdge, Scratch, fill},
         path::Path,
@@ -33,7 +34,7 @@ use crate::{
         rounded_rectangle::RoundedRectangle,
         stroke::{Stroked, dash::Dashed, drawable::grown},
     },
-    space::Rect,
+    space::{Point2, Rect},
     span::Sink,
     style::{AntialiasedStyle, Rule},
     svg::SvgPath,
@@ -98,17 +99,42 @@ fn draw<C: PixelColor, D: DrawTarget<Color = Alpha<C>>>(
 
 /// A rectangle that holds all that is drawn.
 fn bounds<C>(outline: &impl Outline, style: &AntialiasedStyle<C>) -> Rectangle {
-    let inside = pixel_bounds(outline);
-    if style.stroke_color.is_none() {
-        return inside.into();
+    let mut extent = Extent(None);
+    outline.trace_fine(&mut extent);
+    if style.stroke_color.is_some() {
+        Stroked::new(outline, style.stroke).trace_fine(&mut extent);
     }
-    let border = pixel_bounds(&Stroked::new(outline, style.stroke));
-    // A pixel more: the fine border may be a sixteenth farther out.
-    let (left, top) = (border.left.min(inside.left), border.top.min(inside.top));
-    let (right, bottom) = (border.right.max(inside.right), border.bottom.max(inside.bottom));
-    let grown = [left.saturating_sub(1), top.saturating_sub(1), right.saturating_add(1), bottom.saturating_add(1)];
-    let [left, top, right, bottom] = grown;
-    Rect::new(left, top, right, bottom).into()
+    extent.pixels().into()
+}
+
+/// The least and the greatest coordinates of fine contours, which may lie a sixteenth of a pixel outside of the
+/// coarse ones, at a tip much farther.
+struct Extent(Option<(Point2, Point2)>);
+
+impl Extent {
+    fn pixels(&self) -> Rect {
+        let Some((least, most)) = self.0 else { return Rect::default() };
+        // Where edges cross rows is rounded to the left.
+        let [left, top] = [least.x.to_bits().saturating_sub(1), least.y.to_bits()].map(|v| v >> 8);
+        let [right, bottom] = [most.x, most.y].map(|v| v.to_bits().saturating_add(255) >> 8);
+        Rect::new(left, top, right, bottom)
+    }
+}
+
+impl Pen for Extent {
+    fn move_to(&mut self, point: Point2) {
+        let (least, most) = self.0.unwrap_or((point, point));
+        self.0 = Some((
+            Point2::new(least.x.min(point.x), least.y.min(point.y)),
+            Point2::new(most.x.max(point.x), most.y.max(point.y)),
+        ));
+    }
+
+    fn line_to(&mut self, point: Point2) {
+        self.move_to(point);
+    }
+
+    fn close(&mut self) {}
 }
 
 /// Makes outlines drawable with soft borders; those that have an inside, and those that are only lines.
@@ -153,8 +179,35 @@ antialiased!(
     false;
     [] Polyline<'_>,
     [] Arc,
-    [O: Outline] Dashed<'_, O>,
 );
+
+impl<C: PixelColor, O: Outline> StyledDimensions<AntialiasedStyle<C>> for Dashed<'_, O> {
+    /// A rectangle of pixels that holds the stroke, whatever the dashes.
+    fn styled_bounding_box(&self, style: &AntialiasedStyle<C>) -> Rectangle {
+        let is_drawn = style.stroke_color.is_some() && style.stroke.sixteenths() > 0;
+        if !is_drawn {
+            return Rectangle::zero();
+        }
+        let mut extent = Extent(None);
+        self.outline().trace_fine(&mut extent);
+        grown(extent.pixels(), style.stroke).into()
+    }
+}
+
+impl<C: PixelColor, O: Outline> StyledDrawable<AntialiasedStyle<C>> for Dashed<'_, O> {
+    type Color = Alpha<C>;
+    type Output = ();
+
+    /// As other outlines; dashes that cannot be seen on the target cost nothing.
+    fn draw_styled<D: DrawTarget<Color = Alpha<C>>>(
+        &self,
+        style: &AntialiasedStyle<C>,
+        target: &mut D,
+    ) -> Result<(), D::Error> {
+        let dashes = self.seen(grown(target.bounding_box().into(), style.stroke));
+        draw(None::<&Self>, Some(&dashes), style, target)
+    }
+}
 
 impl<C: PixelColor, F: Typeface> StyledDimensions<AntialiasedStyle<C>> for Text<'_, F> {
     /// A rectangle that holds all pixels that are drawn. Traces all glyphs.

@@ -14,7 +14,7 @@ use crate::{
     edge::LIMIT,
     num::{SUBPIXELS, Subpixel, low_i32},
     outline::{Outline, Pen},
-    raster::{bresenham::Line, circle::Circle, ellipse::Ellipse, rounded_rectangle::RoundedRectangle},
+    raster::{bresenham::Line, ellipse::Ellipse, rounded_rectangle::RoundedRectangle},
     space::{Point2, Rect},
     style::AntialiasedStyle,
 };
@@ -65,7 +65,7 @@ fn shortened(near: Point, far: Point) -> Point2 {
 }
 
 /// The oval in a rectangle of pixels, smaller by so many sixteenths of a pixel all around.
-fn oval(top_left: Point, Size { width, height }: Size, inset: i32) -> Option<Oval> {
+pub(super) fn oval(top_left: Point, Size { width, height }: Size, inset: i32) -> Option<Oval> {
     let radius = |length: u32| (i64::from(length) * i64::from(SUBPIXELS) / 2).checked_sub(inset.into());
     let middle = |from: i32, length: u32| {
         let twice = 2 * i64::from(from) + i64::from(length);
@@ -77,7 +77,7 @@ fn oval(top_left: Point, Size { width, height }: Size, inset: i32) -> Option<Ova
 }
 
 /// A rectangle of pixels with round corners, smaller by so many sixteenths of a pixel all around.
-fn rectangle(area: Rectangle, radii: [u32; 4], inset: i32) -> Option<RoundedRectangle> {
+pub(super) fn rectangle(area: Rectangle, radii: [u32; 4], inset: i32) -> Option<RoundedRectangle> {
     let Rect { left, top, right, bottom } = area.into();
     let at = |x: i32, y: i32, inset: i32| {
         let [x, y] = [x, y].map(|v| v.saturating_mul(SUBPIXELS).saturating_add(inset));
@@ -120,17 +120,12 @@ const NONE: Option<Oval> = None;
 
 antialiased!(
     Line, |this, inset| NONE, Some(Joined(ends(this).into_iter(), false));
-    Circle, |this, inset| oval(this.top_left, Size::new_equal(this.diameter), 0),
-        oval(this.top_left, Size::new_equal(this.diameter), inset);
     Ellipse, |this, inset| oval(this.top_left, this.size, 0), oval(this.top_left, this.size, inset);
     primitives::Line, |this, inset| NONE, Some(Joined(ends(&Line::new(this.start, this.end)).into_iter(), false));
-    primitives::Circle, |this, inset| oval(this.top_left, Size::new_equal(this.diameter), 0),
-        oval(this.top_left, Size::new_equal(this.diameter), inset);
     primitives::Ellipse, |this, inset| oval(this.top_left, this.size, 0), oval(this.top_left, this.size, inset);
     primitives::Triangle, |this, inset| Some(Joined(this.vertices.into_iter().map(center), true)),
         Some(Joined(this.vertices.into_iter().map(center), true));
     primitives::Polyline<'_>, |this, inset| NONE, Some(Joined(vertices(this), false));
-    primitives::Rectangle, |this, inset| rectangle(*this, [0; 4], 0), rectangle(*this, [0; 4], inset);
     primitives::RoundedRectangle, |this, inset| rectangle(this.rectangle, radii(this), 0),
         rectangle(this.rectangle, radii(this), inset);
 );

@@ -12,7 +12,7 @@ use crate::{
     style::Rule,
 };
 
-/// Bands in a row as fine as need be; further ones are no lower than a sixteenth of it.
+/// Bands in a row that end at a crossing, as fine as need be; further ones are no lower than a sixteenth of it.
 const FINE_BANDS: i32 = 64;
 
 /// Adds what lies inside of a row.
@@ -30,7 +30,7 @@ pub(super) fn add_bands(edges: &mut [AreaEdge], cells: &mut Cells, row: i32, rul
         for edge in &mut *edges {
             edge.go_on(row, bottom);
         }
-        (top, bands) = (bottom, bands + 1);
+        (top, bands) = (bottom, bands + i32::from(bottom < until));
     }
     sort_by_key(edges, |edge| edge.touched.0);
 }

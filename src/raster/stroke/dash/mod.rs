@@ -91,12 +91,12 @@ impl<'a, O: Outline> Dashed<'a, O> {
     }
 
     /// What is cut.
-    pub(super) const fn outline(&self) -> &O {
+    pub(in crate::raster) const fn outline(&self) -> &O {
         &self.outline
     }
 
     /// The same, where only a window is seen.
-    pub(super) fn seen(&self, window: Rect) -> Dashed<'a, &O> {
+    pub(in crate::raster) fn seen(&self, window: Rect) -> Dashed<'a, &O> {
         let window = self.window.map_or(window, |own| own.intersection(window));
         Dashed { outline: &self.outline, pattern: self.pattern, window: Some(window) }
     }
