@@ -73,6 +73,7 @@ mod outcode;
 mod outline;
 mod palette;
 mod pieces;
+mod polynomial;
 mod runs;
 mod space;
 mod span;

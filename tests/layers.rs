@@ -3,7 +3,7 @@
 use std::{collections::BTreeSet, fs, path::Path};
 
 /// Files directly in `src/`, and what each uses: only words above it, so that there is no cycle.
-const WORDS: [(&str, &[&str]); 32] = [
+const WORDS: [(&str, &[&str]); 33] = [
     ("error", &[]),
     ("num", &[]),
     ("palette", &[]),
@@ -19,7 +19,8 @@ const WORDS: [(&str, &[&str]); 32] = [
     ("matrix", &["num", "space"]),
     ("edge", &["num", "space"]),
     ("vary", &["num", "space"]),
-    ("pieces", &["angle", "edge", "num", "space"]),
+    ("polynomial", &["num", "space"]),
+    ("pieces", &["angle", "edge", "num", "polynomial", "space"]),
     ("outline", &["edge", "num", "pieces", "space"]),
     ("stretch", &["edge", "outline", "pieces", "space"]),
     ("affine", &["angle", "num", "outline", "pieces", "space"]),

@@ -149,8 +149,8 @@ fn check_steps<C: Code + Blend + GrayColor>(shade: impl Fn(u8) -> C + Copy) {
         &mut SpanFn::new(Rect::of_size(SIZE), |row: i32, columns: core::ops::Range<i32>, covered: Covered<'_>| {
             for (offset, column) in columns.enumerate() {
                 // The ramp has its number at the centre of each pixel.
-                let number = (f64::from(column) + 0.5 - 50.0) / 13.0 * 65_536.0;
-                let color = shade(u16::try_from(number.clamp(0.0, 65_535.0) as i64).expect("clamped").to_be_bytes()[0]);
+                let number = (2 * i64::from(column) + 1 - 100) * 65_536 / 26;
+                let color = shade(u16::try_from(number.clamp(0, 65_535)).expect("clamped").to_be_bytes()[0]);
                 drawn[row as usize * 64 + column as usize] = Some(Alpha::new(color, covered.at(offset)));
             }
         }),

@@ -72,7 +72,7 @@ fn glyphs_are_those_of_ab_glyph_to_two_255ths() {
             let at = (16 * 8 + step % 16, 16 * 45 + step * 5 % 16);
             let ours = ours(&font, character, size, (at.0.into(), at.1.into()));
             let theirs = theirs(&reference, font.glyph(character), scale, at);
-            for (ours, theirs) in ours.iter().zip(&theirs).filter(|(ours, theirs)| ours != theirs) {
+            for (ours, theirs) in ours.iter().zip(&theirs).filter(|(ours, theirs)| **ours > 0.0 || **theirs > 0.0) {
                 let off = (ours - theirs).abs();
                 (sum, pixels) = (sum + off, pixels + 1);
                 if off > worst.0 {
