@@ -3,7 +3,7 @@
 use std::ops::Range;
 
 use aquatint::{
-    Coverage, Covered, Outline, Point2, Polygon, Rect, Rule, SpanFn,
+    Coverage, Covered, Outline, Pen, Point2, Polygon, Rect, Rule, SpanFn,
     raster::area::{AreaEdge, Scratch, fill},
 };
 use heapless::{Vec as List, vec::VecView};
@@ -86,5 +86,35 @@ proptest! {
         let polygon = Polygon::new(&contours).unwrap();
         let worst = error(&polygon, rule);
         prop_assert!(worst <= 4.0, "{worst}");
+    }
+}
+
+#[test]
+fn crossings_behind_many_corners_are_parted_finely() {
+    // A comb whose 80 corners cut the upper third of a row into bands, and below it two triangles that cross.
+    let mut path = FinePath(vec![]);
+    let teeth = (0..80).map(|tooth| (6000 + 4 * tooth, tooth));
+    path.0.push(std::iter::once((6000, 80)).chain(teeth).chain([(6400, 80)]).collect());
+    path.0.push(vec![(256, 90), (512, 250), (256, 250)]);
+    path.0.push(vec![(512, 90), (256, 250), (512, 250)]);
+    for rule in [Rule::NonZero, Rule::EvenOdd] {
+        let worst = error(&path, rule);
+        assert!(worst <= 1.0, "{worst}");
+    }
+}
+
+/// Contours on 256ths of a pixel.
+struct FinePath(Vec<Vec<(i32, i32)>>);
+
+impl Outline for FinePath {
+    fn trace<P: Pen>(&self, _: &mut P) {}
+
+    fn trace_fine<P: Pen>(&self, pen: &mut P) {
+        for contour in &self.0 {
+            let mut points = contour.iter().map(|&(x, y)| Point2::from_sixteenths(x, y));
+            pen.move_to(points.next().expect("a corner"));
+            points.for_each(|point| pen.line_to(point));
+            pen.close();
+        }
     }
 }
