@@ -91,12 +91,13 @@ proptest! {
 
 #[test]
 fn crossings_behind_many_corners_are_parted_finely() {
-    // A comb whose 80 corners cut the upper third of a row into bands, and below it two triangles that cross.
-    let mut path = FinePath(vec![]);
-    let teeth = (0..80).map(|tooth| (6000 + 4 * tooth, tooth));
-    path.0.push(std::iter::once((6000, 80)).chain(teeth).chain([(6400, 80)]).collect());
-    path.0.push(vec![(256, 90), (512, 250), (256, 250)]);
-    path.0.push(vec![(512, 90), (256, 250), (512, 250)]);
+    // 80 corners cut the upper third of a row into bands; below them two flat edges cross soon.
+    let corners = (0..80).map(|corner| (6000 + 4 * corner, corner));
+    let path = FinePath(vec![
+        std::iter::once((6000, 80)).chain(corners).chain([(6400, 80)]).collect(),
+        vec![(0, 90), (6144, 250), (0, 250)],
+        vec![(700, 90), (-10_000, 250), (700, 250)],
+    ]);
     for rule in [Rule::NonZero, Rule::EvenOdd] {
         let worst = error(&path, rule);
         assert!(worst <= 1.0, "{worst}");
