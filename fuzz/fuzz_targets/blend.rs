@@ -76,7 +76,7 @@ impl From<Extent> for Size {
 }
 
 impl Style {
-    fn style(self, is_curved: bool) -> AntialiasedStyle<Gray4> {
+    fn style(self) -> AntialiasedStyle<Gray4> {
         let join = [Join::Miter { limit: 4 }, Join::Round, Join::Bevel][usize::from(self.join) % 3];
         let cap = [Cap::Butt, Cap::Round, Cap::Square][usize::from(self.cap) % 3];
         let stroke = Stroke::of_width(Subpixel::from_bits(self.width.into())).with_join(join).with_cap(cap);
@@ -84,27 +84,26 @@ impl Style {
         let curve = if self.curve < 0 { CoverageCurve::thinner(percent) } else { CoverageCurve::bolder(percent) };
         AntialiasedStyle {
             fill_color: self.fill.map(Gray4::new),
-            // With a list as short as that of a style, strokes of many pieces in a row take too long.
-            stroke_color: self.stroke.map(Gray4::new).filter(|_| !is_curved),
+            stroke_color: self.stroke.map(Gray4::new),
             ..AntialiasedStyle::stroke(Gray4::WHITE, 1).with_shape(stroke).with_curve(curve)
         }
     }
 }
 
 fn draw<D: DrawTarget<Color = Alpha<Gray4>>>(shape: Shape, styled: Style, target: &mut D) -> Result<(), D::Error> {
-    let (style, inside) = (styled.style(false), styled.style(true));
+    let style = styled.style();
     match shape {
         Shape::Line(from, to) => Line::new(from.into(), to.into()).into_styled(style).draw(target),
         Shape::Circle(at, diameter) => Circle::new(at.into(), diameter.into()).into_styled(style).draw(target),
         Shape::LargeCircle(at, diameter) => Circle::new(at.into(), diameter).into_styled(style).draw(target),
-        Shape::Ellipse(at, size) => Ellipse::new(at.into(), size.into()).into_styled(inside).draw(target),
+        Shape::Ellipse(at, size) => Ellipse::new(at.into(), size.into()).into_styled(style).draw(target),
         Shape::Triangle(a, b, c) => Triangle::new(a.into(), b.into(), c.into()).into_styled(style).draw(target),
         Shape::Polyline(a, b, c) => Polyline::new(&[a.into(), b.into(), c.into()]).into_styled(style).draw(target),
         Shape::Rectangle(at, size) => Rectangle::new(at.into(), size.into()).into_styled(style).draw(target),
         Shape::RoundedRectangle(at, size, radius) => {
             let area = Rectangle::new(at.into(), size.into());
             let shape = RoundedRectangle::with_equal_corners(area, Size::new_equal(radius.into()));
-            shape.into_styled(inside).draw(target)
+            shape.into_styled(style).draw(target)
         }
         Shape::Glass(at, size) => {
             let color = Alpha::new(Gray4::new(styled.width), Coverage::new(styled.parts));
