@@ -49,8 +49,8 @@ use crate::{
 /// let mut screen = Blended::new(&mut frame);
 /// // A circle of embedded-graphics'.
 /// Circle::new(Point::new(1, 0), 6).into_styled(AntialiasedStyle::fill(Gray4::WHITE)).draw(&mut screen)?;
-/// // The corners are covered by half, which is code 11 of 15.
-/// assert_eq!(frame.bytes()[..4], [0x05, 0xDF, 0xFD, 0x50]);
+/// // What is covered by 58 % has code 12 of 15.
+/// assert_eq!(frame.bytes()[..4], [0x03, 0xCF, 0xFC, 0x30]);
 /// # Ok::<(), core::convert::Infallible>(())
 /// ```
 #[derive(Debug)]
