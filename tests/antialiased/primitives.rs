@@ -188,8 +188,6 @@ proptest! {
     fn any_numbers_are_drawn_without_a_panic(
         style in style(), numbers in prop::array::uniform6(number()), sizes in uniform4(prop_oneof![0..50_u32, any::<u32>(), select(vec![u32::MAX, 1 << 31, 1 << 22])]),
     ) {
-        // A stroke of a curve of 4096 pieces that all lie in a row would take minutes.
-        let inside = AntialiasedStyle { stroke_color: None, ..style };
         let [x, y, to_x, to_y, other_x, other_y] = numbers;
         let (at, to, other) = (Point::new(x, y), Point::new(to_x, to_y), Point::new(other_x, other_y));
         let (size, radii) = (Size::new(sizes[0], sizes[1]), Size::new(sizes[2], sizes[3]));
@@ -197,10 +195,10 @@ proptest! {
         let mut target = Blended::new(&mut frame);
         let Ok(()) = Line::new(at, to).into_styled(style).draw(&mut target);
         let Ok(()) = Circle::new(at, sizes[0]).into_styled(style).draw(&mut target);
-        let Ok(()) = Ellipse::new(at, size).into_styled(inside).draw(&mut target);
+        let Ok(()) = Ellipse::new(at, size).into_styled(style).draw(&mut target);
         let Ok(()) = primitives::Line::new(at, to).into_styled(style).draw(&mut target);
         let Ok(()) = primitives::Circle::new(at, sizes[0]).into_styled(style).draw(&mut target);
-        let Ok(()) = primitives::Ellipse::new(at, size).into_styled(inside).draw(&mut target);
+        let Ok(()) = primitives::Ellipse::new(at, size).into_styled(style).draw(&mut target);
         let Ok(()) = primitives::Triangle::new(at, to, other).into_styled(style).draw(&mut target);
         let Ok(()) = primitives::Polyline::new(&[at, to, other]).into_styled(style).draw(&mut target);
         let ends = [at, to];
@@ -208,7 +206,7 @@ proptest! {
         let Ok(()) = moved.into_styled(style).draw(&mut target);
         let area = Rectangle::new(at, size);
         let Ok(()) = area.into_styled(style).draw(&mut target);
-        let Ok(()) = primitives::RoundedRectangle::with_equal_corners(area, radii).into_styled(inside).draw(&mut target);
+        let Ok(()) = primitives::RoundedRectangle::with_equal_corners(area, radii).into_styled(style).draw(&mut target);
         // What a target is told by others.
         let glass = Alpha::new(Gray8::new(99), Coverage::new(9999));
         let Ok(()) = target.fill_solid(&area, glass);
@@ -220,9 +218,9 @@ proptest! {
         let Ok(()) = text.into_styled(style).draw(&mut target);
         let _ = text.into_styled(style).bounding_box();
         if let Ok(oval) = Oval::new(a, [b.x, b.y]) {
-            let Ok(()) = oval.into_styled(inside).draw(&mut target);
+            let Ok(()) = oval.into_styled(style).draw(&mut target);
             let _ = oval.into_styled(style).bounding_box();
-            let Ok(()) = Sector(Arc::new(oval, Angle(17), other_y)).into_styled(inside).draw(&mut target);
+            let Ok(()) = Sector(Arc::new(oval, Angle(17), other_y)).into_styled(style).draw(&mut target);
         }
         let corners = [a, b, c];
         if let Ok(polyline) = Polyline::closed(&corners) {
