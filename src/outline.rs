@@ -62,7 +62,7 @@ pub trait Outline {
 /// How many times as large [`Outline::trace_fine`] draws.
 pub(crate) const FINE: i32 = 16;
 
-/// Takes contours of straight edges.
+/// Takes contours of straight edges, and of curves that stand for some.
 pub trait Pen {
     /// Begins a contour. The one before stays open if it was not closed.
     fn move_to(&mut self, point: Point2);
@@ -254,8 +254,8 @@ pub(crate) fn bounding_box<O: Outline>(outline: &O) -> Rectangle {
     pixel_bounds(outline).into()
 }
 
-/// The least and the greatest coordinates seen.
-struct Extent(Option<(Point2, Point2)>);
+/// The pen that keeps the least and the greatest coordinates seen.
+pub(crate) struct Extent(pub(crate) Option<(Point2, Point2)>);
 
 impl Pen for Extent {
     fn move_to(&mut self, point: Point2) {

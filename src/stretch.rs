@@ -38,6 +38,12 @@ pub(crate) struct Run {
 }
 
 impl Run {
+    /// The pieces of a curve between two of its vertices, +1 where they go down, −1 up; none where they are level.
+    fn between(curve: Curve, (from, to): (u32, u32), winding: i32) -> Option<Self> {
+        let (upper, lower) = if winding > 0 { (from, to) } else { (to, from) };
+        (winding != 0).then_some(Self { curve, upper, lower, winding })
+    }
+
     /// How many pieces it has.
     pub(crate) const fn len(&self) -> u32 {
         self.upper.abs_diff(self.lower)
@@ -98,8 +104,9 @@ impl<F: FnMut(Stretch)> Pen for Stretches<F> {
 
     #[inline]
     fn line_to(&mut self, point: Point2) {
-        let edge = Directed::between(self.last, point.nearest_within(FINE_LIMIT));
-        self.last = point.nearest_within(FINE_LIMIT);
+        let to = point.nearest_within(FINE_LIMIT);
+        let edge = Directed::between(self.last, to);
+        self.last = to;
         if edge.upper.y < edge.lower.y {
             (self.take)(Stretch::Edge(edge));
         }
@@ -110,24 +117,19 @@ impl<F: FnMut(Stretch)> Pen for Stretches<F> {
         let curve = curve.coarser();
         let start = curve.vertex_at(0);
         self.line_to(start);
-        if let Some(winding) = curve.slope() {
-            let (first, last) = (0, curve.len());
-            let (upper, lower) = if winding > 0 { (first, last) } else { (last, first) };
-            if winding != 0 {
-                (self.take)(Stretch::Run(Run { curve, upper, lower, winding }));
-            }
-            self.last = curve.vertex_at(last);
-            return;
-        }
-        let (take, mut last) = (&mut self.take, start);
-        // The vertex where the present stretch began, and +1 where it goes down, −1 up, 0 while it is level.
-        let (mut from, mut number, mut winding) = (0, 0, 0);
+        let take = &mut self.take;
         let mut end = |from: u32, to: u32, winding: i32| {
-            let (upper, lower) = if winding > 0 { (from, to) } else { (to, from) };
-            if winding != 0 {
-                take(Stretch::Run(Run { curve, upper, lower, winding }));
+            if let Some(run) = Run::between(curve, (from, to), winding) {
+                take(Stretch::Run(run));
             }
         };
+        if let Some(winding) = curve.slope() {
+            end(0, curve.len(), winding);
+            self.last = curve.vertex_at(curve.len());
+            return;
+        }
+        // The vertex where the present stretch began, and +1 where it goes down, −1 up, 0 while it is level.
+        let (mut from, mut number, mut winding, mut last) = (0, 0, 0, start);
         curve.each_numbered(|vertex| {
             let turn = i32::from(vertex.y > last.y) - i32::from(vertex.y < last.y);
             if turn != 0 && turn != winding {

@@ -25,7 +25,7 @@ use crate::{
     arc::{Arc, Chord, Oval, Sector},
     blend::Alpha,
     coverage::{Coverage, CoverageCurve, Covered},
-    outline::{Outline, Pen},
+    outline::{Extent, Outline},
     raster::{
         area::{AreaEdge, Scratch, fill},
         path::Path,
@@ -34,7 +34,7 @@ use crate::{
         rounded_rectangle::RoundedRectangle,
         stroke::{Stroked, dash::Dashed, drawable::grown},
     },
-    space::{Point2, Rect},
+    space::Rect,
     span::Sink,
     style::{AntialiasedStyle, Rule},
     svg::SvgPath,
@@ -104,37 +104,16 @@ fn bounds<C>(outline: &impl Outline, style: &AntialiasedStyle<C>) -> Rectangle {
     if style.stroke_color.is_some() {
         Stroked::new(outline, style.stroke).trace_fine(&mut extent);
     }
-    extent.pixels().into()
+    pixels(&extent).into()
 }
 
-/// The least and the greatest coordinates of fine contours, which may lie a sixteenth of a pixel outside of the
-/// coarse ones, at a tip much farther.
-struct Extent(Option<(Point2, Point2)>);
-
-impl Extent {
-    fn pixels(&self) -> Rect {
-        let Some((least, most)) = self.0 else { return Rect::default() };
-        // Where edges cross rows is rounded to the left.
-        let [left, top] = [least.x.to_bits().saturating_sub(1), least.y.to_bits()].map(|v| v >> 8);
-        let [right, bottom] = [most.x, most.y].map(|v| v.to_bits().saturating_add(255) >> 8);
-        Rect::new(left, top, right, bottom)
-    }
-}
-
-impl Pen for Extent {
-    fn move_to(&mut self, point: Point2) {
-        let (least, most) = self.0.unwrap_or((point, point));
-        self.0 = Some((
-            Point2::new(least.x.min(point.x), least.y.min(point.y)),
-            Point2::new(most.x.max(point.x), most.y.max(point.y)),
-        ));
-    }
-
-    fn line_to(&mut self, point: Point2) {
-        self.move_to(point);
-    }
-
-    fn close(&mut self) {}
+/// The pixels of fine contours, which may lie a sixteenth of a pixel outside of the coarse ones, at a tip much farther.
+fn pixels(Extent(extent): &Extent) -> Rect {
+    let Some((least, most)) = extent else { return Rect::default() };
+    // Where edges cross rows is rounded to the left.
+    let [left, top] = [least.x.to_bits().saturating_sub(1), least.y.to_bits()].map(|v| v >> 8);
+    let [right, bottom] = [most.x, most.y].map(|v| v.to_bits().saturating_add(255) >> 8);
+    Rect::new(left, top, right, bottom)
 }
 
 /// Makes outlines drawable with soft borders; those that have an inside, and those that are only lines.
@@ -190,7 +169,7 @@ impl<C: PixelColor, O: Outline> StyledDimensions<AntialiasedStyle<C>> for Dashed
         }
         let mut extent = Extent(None);
         self.outline().trace_fine(&mut extent);
-        grown(extent.pixels(), style.stroke).into()
+        grown(pixels(&extent), style.stroke).into()
     }
 }
 
