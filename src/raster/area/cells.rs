@@ -18,6 +18,7 @@ use crate::{
     coverage::{Coverage, Covered},
     num::{bits, count_i32, index, low_i32, low_u16},
     span::Sink,
+    style::Rule,
 };
 
 /// The height of a row.
@@ -38,6 +39,19 @@ pub(super) enum Side {
 }
 
 impl Side {
+    /// Passes an edge on the way to the right, which changes the winding number by so much; says of which side of the
+    /// inside it is the border, if it is.
+    #[inline]
+    pub(super) const fn passed(winding: &mut i32, by: i32, rule: Rule) -> Option<Self> {
+        let was_inside = *winding & rule.mask() != 0;
+        *winding = winding.wrapping_add(by);
+        let is_inside = *winding & rule.mask() != 0;
+        if was_inside == is_inside {
+            return None;
+        }
+        Some(if is_inside { Self::Left } else { Self::Right })
+    }
+
     /// What an area adds, modulo 2¹⁶.
     #[inline]
     const fn of(self, area: u32) -> u16 {

@@ -145,13 +145,7 @@ impl AreaEdge {
     /// Passes the edge on the way to the right; says of which side of the inside it is the border, if it is.
     #[inline]
     pub(super) const fn side(&self, winding: &mut i32, rule: Rule) -> Option<Side> {
-        let was_inside = *winding & rule.mask() != 0;
-        *winding = winding.wrapping_add(self.winding);
-        let is_inside = *winding & rule.mask() != 0;
-        if was_inside == is_inside {
-            return None;
-        }
-        Some(if is_inside { Side::Left } else { Side::Right })
+        Side::passed(winding, self.winding, rule)
     }
 
     /// Steps to the next row.

@@ -203,7 +203,7 @@ impl<O: Outline> Scan<'_, '_, O> {
             if is_known {
                 add_row(edges, &mut cells, row, self.rule);
                 emit_between(edges, &mut cells, row, sink)?;
-            } else if O::WINDS_ONE_WAY {
+            } else if O::WINDS_ONE_WAY && self.rule == Rule::NonZero {
                 add_union(self.outline, &mut cells, row);
                 cells.emit_all(row, sink)?;
             } else {
@@ -235,11 +235,7 @@ fn add_strips<O: Outline>(outline: &O, cells: &mut Cells, row: i32, rule: Rule) 
         let (mut left, mut winding) = (i64::MIN, 0_i32);
         // The nearest crossing right of `left` again and again.
         while let Some((x, winds)) = next_crossing(outline, (row, middle), left) {
-            let was_inside = winding & rule.mask() != 0;
-            winding = winding.wrapping_add(winds);
-            let is_inside = winding & rule.mask() != 0;
-            if was_inside != is_inside {
-                let side = if is_inside { Side::Left } else { Side::Right };
+            if let Some(side) = Side::passed(&mut winding, winds, rule) {
                 cells.add_edge((x, x), height_of(PARTS / 16), side);
             }
             left = x;
