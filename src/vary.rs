@@ -1,14 +1,16 @@
-//! What changes across a triangle: attributes that are linear on the screen, exactly stepped.
+//! What changes across a triangle: attributes that are linear on the screen, stepped without drift.
 //!
-//! An attribute is a `u16` (a depth, a light …). Over a triangle it is a plane; along a span it is
-//! a ramp. Both are kept in 16.16 *modulo 2³²*: the steps of a sliver may be far out of range, but
-//! at the pixel centres inside the triangle the sums come out right again. Gradients are rounded
-//! to 2⁻¹⁶ of a unit a pixel, so a value is off by less than 2⁻¹⁷ for each pixel of distance from
-//! the first vertex: 0.03 units across 4000 pixels, and a value never leaves the range of its
-//! three corners by more than that, which the half added for rounding absorbs.
+//! An attribute is a number of 16 bits (a light, a texture coordinate …) or of 24 (a depth). Over a triangle it
+//! is a plane; along a span it is a ramp. Both are kept as unsigned 16.15 numbers in 32 bits, *modulo 2³²*: the steps of
+//! a sliver may be far out of range, but at the pixel centres inside of the triangle the sums come out right again.
+//!
+//! Gradients are rounded to 2⁻¹⁵ of a unit a pixel, or to 30 digits where they are steeper than half of the range
+//! a pixel. So a value is off by less than 2⁻¹⁴ for each pixel of distance from the first vertex: a quarter of a unit
+//! across 4000 pixels, and a value never leaves the range of its three corners by more than that, which the half
+//! added for rounding absorbs.
 
 use crate::{
-    num::{SUBPIXELS, bits, divide_round, high_u16, low_u32},
+    num::{FRACTION_16_15, SUBPIXELS, bits, divide_round, from_16_15, low_i32, low_u32, reciprocal, to_16_15},
     space::{Point2, twice_area},
 };
 
@@ -28,24 +30,55 @@ pub struct Ramp<const N: usize> {
     steps: [u32; N],
 }
 
+impl<const N: usize> Ramp<N> {
+    /// From 16.15 numbers, half a unit of rounding in them.
+    #[inline]
+    pub(crate) const fn new(values: [u32; N], steps: [u32; N]) -> Self {
+        Self { values, steps }
+    }
+
+    /// The attributes of the next pixel as 16.15 numbers, half a unit of rounding in them.
+    #[inline]
+    pub(crate) fn next_fine(&mut self) -> [u32; N] {
+        let now = self.values;
+        for (value, step) in self.values.iter_mut().zip(self.steps) {
+            *value = value.wrapping_add(step);
+        }
+        now
+    }
+
+    /// The ramp `pixels` further on.
+    #[inline]
+    pub(crate) fn skipped(mut self, pixels: u32) -> Self {
+        for (value, step) in self.values.iter_mut().zip(self.steps) {
+            *value = value.wrapping_add(step.wrapping_mul(pixels));
+        }
+        self
+    }
+
+    /// What is added from pixel to pixel, as a 16.15 number modulo 2³².
+    #[inline]
+    pub(crate) const fn steps(&self) -> [u32; N] {
+        self.steps
+    }
+}
+
 impl<const N: usize> Iterator for Ramp<N> {
     type Item = [u16; N];
 
     #[inline]
     fn next(&mut self) -> Option<[u16; N]> {
-        let now = self.values.map(high_u16);
-        for (value, step) in self.values.iter_mut().zip(self.steps) {
-            *value = value.wrapping_add(step);
-        }
-        Some(now)
+        Some(self.next_fine().map(from_16_15))
     }
 }
 
 /// `N` attributes over the plane of the screen, fixed by the three corners of a triangle.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Plane<const N: usize> {
-    /// At the centre of pixel (0, 0), with the half for rounding in it.
+    /// At the centre of this pixel, with the half for rounding in it.
     origin: [u32; N],
+    column: i32,
+    row: i32,
     across: [u32; N],
     down: [u32; N],
 }
@@ -55,30 +88,14 @@ pub(crate) struct Plane<const N: usize> {
 /// Then a gradient's numerator stays below 2⁶⁰.
 pub(crate) const LIMIT: u32 = 1 << 20;
 
+/// Triangles whose sides are shorter than this along both axes, in sixteenths, do with products of 32 bits.
+const SMALL: u32 = 1 << 13;
+
 impl<const N: usize> Plane<N> {
     /// The plane through three corners nearer than [`LIMIT`] that are not in line.
-    ///
-    /// Two 64-bit divisions an attribute.
-    pub(crate) fn through([a, b, c]: &[Vertex<N>; 3]) -> Self {
-        let area = twice_area(a.position, b.position, c.position);
-        let (area, sign) = (area.abs(), area.signum());
-        let (to_b, to_c) = (between(a.position, b.position), between(a.position, c.position));
-        let mut plane = Self { origin: [0; N], across: [0; N], down: [0; N] };
-        let outputs = plane.origin.iter_mut().zip(&mut plane.across).zip(&mut plane.down);
-        let corners = a.attributes.into_iter().zip(b.attributes).zip(c.attributes);
-        for (((origin, across), down), ((va, vb), vc)) in outputs.zip(corners) {
-            let (rise_b, rise_c) = (i64::from(vb) - i64::from(va), i64::from(vc) - i64::from(va));
-            // Per pixel, in 16.16: sixteen times the gradient per sixteenth.
-            let gradient = |numerator: i64| divide_round((sign * numerator) << 20, area);
-            let along_x = gradient(rise_b * to_c.1 - rise_c * to_b.1);
-            let along_y = gradient(rise_c * to_b.0 - rise_b * to_c.0);
-            let half = i64::from(SUBPIXELS / 2);
-            let (x, y) = (half - i64::from(a.position.x.to_bits()), half - i64::from(a.position.y.to_bits()));
-            let offset = along_x.wrapping_mul(x).wrapping_add(along_y.wrapping_mul(y)) >> 4;
-            *origin = low_u32((i64::from(va) << 16) + 0x8000).wrapping_add(low_u32(offset));
-            (*across, *down) = (low_u32(along_x), low_u32(along_y));
-        }
-        plane
+    pub(crate) fn through(corners: &[Vertex<N>; 3]) -> Self {
+        let slopes = Slopes::new(&corners.map(|corner| corner.position));
+        slopes.plane(&corners.map(|corner| corner.attributes.map(to_16_15)))
     }
 
     /// The ramp that starts at the centre of a pixel and runs to the right.
@@ -86,15 +103,167 @@ impl<const N: usize> Plane<N> {
     /// Two 32-bit multiplications an attribute, no division.
     #[inline]
     pub(crate) fn at(&self, row: i32, column: i32) -> Ramp<N> {
+        let (right, below) = (bits(column.wrapping_sub(self.column)), bits(row.wrapping_sub(self.row)));
         let mut values = self.origin;
         for ((value, across), down) in values.iter_mut().zip(self.across).zip(self.down) {
-            *value = value.wrapping_add(across.wrapping_mul(bits(column))).wrapping_add(down.wrapping_mul(bits(row)));
+            *value = value.wrapping_add(across.wrapping_mul(right)).wrapping_add(down.wrapping_mul(below));
         }
         Ramp { values, steps: self.across }
     }
+
+    /// How much the first attribute changes at most from a pixel to the next, in 16.15.
+    pub(crate) fn steepest(&self) -> u32 {
+        let of = |steps: &[u32; N]| steps.first().map_or(0, |step| step.cast_signed().unsigned_abs());
+        of(&self.across).max(of(&self.down))
+    }
 }
 
-fn between(from: Point2, to: Point2) -> (i64, i64) {
-    let difference = |a: i32, b: i32| i64::from(b) - i64::from(a);
-    (difference(from.x.to_bits(), to.x.to_bits()), difference(from.y.to_bits(), to.y.to_bits()))
+/// What all planes over a triangle have in common: its sides, and one over its area.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Slopes {
+    first: Point2,
+    to_second: (i32, i32),
+    to_third: (i32, i32),
+    /// Twice the area, signed.
+    area: i64,
+    /// One over it, if the triangle is small.
+    over_area: Option<(u32, u32)>,
+}
+
+impl Slopes {
+    /// Of three corners nearer than [`LIMIT`]. One 32-bit division where the triangle is small.
+    #[inline]
+    pub(crate) fn new(&[a, b, c]: &[Point2; 3]) -> Self {
+        let to = |p: Point2| (p.x.to_bits().wrapping_sub(a.x.to_bits()), p.y.to_bits().wrapping_sub(a.y.to_bits()));
+        let (to_second, to_third) = (to(b), to(c));
+        let longest = |(x, y): (i32, i32)| x.unsigned_abs() | y.unsigned_abs();
+        if longest(to_second) | longest(to_third) < SMALL {
+            let area = to_second.0 * to_third.1 - to_third.0 * to_second.1;
+            let over_area = Some(reciprocal(area.unsigned_abs()));
+            return Self { first: a, to_second, to_third, area: area.into(), over_area };
+        }
+        Self { first: a, to_second, to_third, area: twice_area(a, b, c), over_area: None }
+    }
+
+    /// The plane of attributes given as 16.15 numbers below 2³¹, a list for each corner.
+    #[inline]
+    pub(crate) fn plane<const N: usize>(&self, [a, b, c]: &[[u32; N]; 3]) -> Plane<N> {
+        let (x, y) = (self.first.x.to_bits(), self.first.y.to_bits());
+        let mut plane = Plane { origin: *a, column: x >> 4, row: y >> 4, across: [0; N], down: [0; N] };
+        let outputs = plane.origin.iter_mut().zip(&mut plane.across).zip(&mut plane.down);
+        for (((origin, across), down), (second, third)) in outputs.zip(b.iter().zip(c)) {
+            let rise = |to: u32| to.cast_signed().wrapping_sub(origin.cast_signed());
+            let rises = (rise(*second), rise(*third));
+            let (along_x, along_y, offset) = self.small(rises).unwrap_or_else(|| self.exact(rises));
+            *origin = origin.wrapping_add(1 << (FRACTION_16_15 - 1)).wrapping_add(offset);
+            (*across, *down) = (along_x, along_y);
+        }
+        plane
+    }
+
+    /// Gradients a pixel, and the way from the first corner to the centre of its pixel.
+    #[inline]
+    fn small(&self, (second, third): (i32, i32)) -> Option<(u32, u32, u32)> {
+        let (over, zeros) = self.over_area?;
+        // 16 digits of the rises: all that a 16-bit attribute has.
+        let digits = (second.unsigned_abs() | third.unsigned_abs()) >> 16;
+        let cut = if digits == 0 { 0 } else { 32 - digits.leading_zeros() };
+        let (second, third) = (second >> cut, third >> cut);
+        let (b, c) = (self.to_second, self.to_third);
+        let along_x = second * c.1 - third * b.1;
+        let along_y = third * b.0 - second * c.0;
+        // over · 2^zeros / 2^63 is one over the area; a pixel has 2^4 sixteenths.
+        let shift = 59_u32.checked_sub(zeros + cut)?;
+        let half = 1_i64 << shift.checked_sub(1)?;
+        let sign = if self.area < 0 { -1 } else { 1 };
+        let gradient = |numerator: i32| {
+            let exact = (i64::from(sign * numerator) * i64::from(over) + half) >> shift;
+            i32::try_from(exact).ok()
+        };
+        let (along_x, along_y) = (gradient(along_x)?, gradient(along_y)?);
+        let [x, y] = self.to_centre();
+        Some((bits(along_x), bits(along_y), bits(sixteenth_of(along_x, x).wrapping_add(sixteenth_of(along_y, y)))))
+    }
+
+    /// The same for any triangle: two 64-bit divisions.
+    #[cold]
+    #[inline(never)]
+    fn exact(&self, (second, third): (i32, i32)) -> (u32, u32, u32) {
+        let wide = |(x, y): (i32, i32)| (i64::from(x), i64::from(y));
+        let (b, c) = (wide(self.to_second), wide(self.to_third));
+        let (second, third) = (i64::from(second), i64::from(third));
+        // 31 bits by 22 bits by 4: below 2⁵⁸.
+        let gradient = |numerator: i64| divide_round((self.area.signum() * numerator) << 4, self.area.abs());
+        let along_x = gradient(second * c.1 - third * b.1);
+        let along_y = gradient(third * b.0 - second * c.0);
+        let [x, y] = self.to_centre().map(i64::from);
+        let offset = along_x.wrapping_mul(x).wrapping_add(along_y.wrapping_mul(y)) >> 4;
+        (low_u32(along_x), low_u32(along_y), low_u32(offset))
+    }
+
+    /// From the first corner to the centre of the pixel that it is in, in sixteenths: −7 to 8.
+    #[inline]
+    fn to_centre(&self) -> [i32; 2] {
+        [self.first.x, self.first.y].map(|v| SUBPIXELS / 2 - (v.to_bits() & (SUBPIXELS - 1)))
+    }
+}
+
+/// `value · part / 16`, rounded down, for a part of some sixteenths; in 32 bits.
+#[inline]
+const fn sixteenth_of(value: i32, part: i32) -> i32 {
+    (value >> 4).wrapping_mul(part).wrapping_add(((value & 15) * part) >> 4)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    /// The attribute at the centre of a pixel, in floating point.
+    fn exact(points: [(i32, i32); 3], values: [u32; 3], (x, y): (i32, i32)) -> f64 {
+        let [(ax, ay), (bx, by), (cx, cy)] = points.map(|(x, y)| (f64::from(x), f64::from(y)));
+        let [va, vb, vc] = values.map(f64::from);
+        let area = (bx - ax) * (cy - ay) - (cx - ax) * (by - ay);
+        let (px, py) = (f64::from(x) * 16.0 + 8.0 - ax, f64::from(y) * 16.0 + 8.0 - ay);
+        let along_x = ((vb - va) * (cy - ay) - (vc - va) * (by - ay)) / area;
+        let along_y = ((vc - va) * (bx - ax) - (vb - va) * (cx - ax)) / area;
+        va + along_x * px + along_y * py
+    }
+
+    fn corner(reach: i32) -> impl Strategy<Value = (i32, i32)> {
+        (-reach..reach, -reach..reach)
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(20_000))]
+        #[test]
+        fn planes_are_right_at_the_centres_inside(
+            points in prop_oneof![
+                prop::array::uniform3(corner(100)), prop::array::uniform3(corner(4_000)), prop::array::uniform3(corner(60_000))
+            ],
+            values in prop::array::uniform3(prop_oneof![0..1_u32 << 31, Just(0_u32), Just((1_u32 << 31) - (1 << 15)), 0..1_u32 << 16]),
+            weights in prop::array::uniform3(0..1000_i64),
+        ) {
+            let [a, b, c] = points.map(|(x, y)| Point2::from_sixteenths(x, y));
+            prop_assume!(twice_area(a, b, c) != 0);
+            let sum = weights.iter().sum::<i64>().max(1);
+            let mean = |of: fn((i32, i32)) -> i32| {
+                low_i32(points.iter().zip(weights).map(|(p, w)| i64::from(of(*p)) * w).sum::<i64>() / sum)
+            };
+            let (x, y) = (mean(|p| p.0) >> 4, mean(|p| p.1) >> 4);
+            let want = exact(points, values, (x, y));
+            // Only what is inside is promised.
+            prop_assume!((0.0..2_147_483_648.0).contains(&want));
+            let plane = Slopes::new(&[a, b, c]).plane(&values.map(|value| [value]));
+            let [got] = plane.at(y, x).next_fine();
+            let distance = f64::from((x - (points[0].0 >> 4)).abs() + (y - (points[0].1 >> 4)).abs() + 2);
+            // A rise of more than 16 bits is cut to 16.
+            let rise = values.iter().max().zip(values.iter().min()).map_or(0.0, |(high, low)| f64::from(high - low));
+            let longest = points.iter().map(|p| (p.0 - points[0].0).abs().max((p.1 - points[0].1).abs())).max();
+            let is_small = longest.is_some_and(|longest| longest.unsigned_abs() < SMALL);
+            let cut = if is_small { rise / 32_768.0 * 4.0 } else { 0.0 };
+            let error = (f64::from(got.wrapping_sub(1 << 14).cast_signed()) - want).abs();
+            prop_assert!(error <= 2.0 * distance + cut + 1.0, "{} for {}: {}", got, want, error);
+        }
+    }
 }
