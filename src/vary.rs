@@ -4,13 +4,15 @@
 //! is a plane; along a span it is a ramp. Both are kept as unsigned 16.15 numbers in 32 bits, *modulo 2³²*: the steps of
 //! a sliver may be far out of range, but at the pixel centres inside of the triangle the sums come out right again.
 //!
-//! Gradients are rounded to 2⁻¹⁵ of a unit a pixel, or to 30 digits where they are steeper than half of the range
-//! a pixel. So a value is off by less than 2⁻¹⁴ for each pixel of distance from the first vertex: a quarter of a unit
-//! across 4000 pixels, and a value never leaves the range of its three corners by more than that, which the half
+//! Gradients are rounded to 2⁻¹⁵ of a unit a pixel. So a value is off by less than 2⁻¹⁵ for each pixel of distance from
+//! where the plane begins, which is a corner of a small triangle and a pixel of the screen for a large one: an eighth of
+//! a unit across 4000 pixels. That place depends on the triangle alone, so bands and windows get the same values. A value never leaves the range of its three corners by more than that, which the half
 //! added for rounding absorbs.
 
 use crate::{
-    num::{FRACTION_16_15, SUBPIXELS, bits, divide_round, from_16_15, low_i32, low_u32, reciprocal, to_16_15},
+    num::{
+        FRACTION_16_15, SUBPIXELS, bits, divide_floor, divide_round, from_16_15, low_i32, low_u32, reciprocal, to_16_15,
+    },
     space::{Point2, twice_area},
 };
 
@@ -91,6 +93,9 @@ pub(crate) const LIMIT: u32 = 1 << 20;
 /// Triangles whose sides are shorter than this along both axes, in sixteenths, do with products of 32 bits.
 const SMALL: u32 = 1 << 13;
 
+/// Where large triangles are far out, their planes begin no farther from pixel (0, 0) than this.
+const SCREEN: i32 = 1023;
+
 impl<const N: usize> Plane<N> {
     /// The plane through three corners nearer than [`LIMIT`] that are not in line.
     pub(crate) fn through(corners: &[Vertex<N>; 3]) -> Self {
@@ -122,6 +127,8 @@ impl<const N: usize> Plane<N> {
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Slopes {
     first: Point2,
+    /// The pixel that planes begin at.
+    from: (i32, i32),
     to_second: (i32, i32),
     to_third: (i32, i32),
     /// Twice the area, signed.
@@ -137,19 +144,21 @@ impl Slopes {
         let to = |p: Point2| (p.x.to_bits().wrapping_sub(a.x.to_bits()), p.y.to_bits().wrapping_sub(a.y.to_bits()));
         let (to_second, to_third) = (to(b), to(c));
         let longest = |(x, y): (i32, i32)| x.unsigned_abs() | y.unsigned_abs();
+        let from = (a.x.to_bits() >> 4, a.y.to_bits() >> 4);
         if longest(to_second) | longest(to_third) < SMALL {
             let area = to_second.0 * to_third.1 - to_third.0 * to_second.1;
             let over_area = Some(reciprocal(area.unsigned_abs()));
-            return Self { first: a, to_second, to_third, area: area.into(), over_area };
+            return Self { first: a, from, to_second, to_third, area: area.into(), over_area };
         }
-        Self { first: a, to_second, to_third, area: twice_area(a, b, c), over_area: None }
+        let from = (from.0.clamp(0, SCREEN), from.1.clamp(0, SCREEN));
+        Self { first: a, from, to_second, to_third, area: twice_area(a, b, c), over_area: None }
     }
 
     /// The plane of attributes given as 16.15 numbers below 2³¹, a list for each corner.
     #[inline]
     pub(crate) fn plane<const N: usize>(&self, [a, b, c]: &[[u32; N]; 3]) -> Plane<N> {
-        let (x, y) = (self.first.x.to_bits(), self.first.y.to_bits());
-        let mut plane = Plane { origin: *a, column: x >> 4, row: y >> 4, across: [0; N], down: [0; N] };
+        let (column, row) = self.from;
+        let mut plane = Plane { origin: *a, column, row, across: [0; N], down: [0; N] };
         let outputs = plane.origin.iter_mut().zip(&mut plane.across).zip(&mut plane.down);
         for (((origin, across), down), (second, third)) in outputs.zip(b.iter().zip(c)) {
             let rise = |to: u32| to.cast_signed().wrapping_sub(origin.cast_signed());
@@ -185,27 +194,43 @@ impl Slopes {
         Some((bits(along_x), bits(along_y), bits(sixteenth_of(along_x, x).wrapping_add(sixteenth_of(along_y, y)))))
     }
 
-    /// The same for any triangle: two 64-bit divisions.
+    /// The same for any triangle, exact but for the rounding of the steps: four 64-bit divisions.
     #[cold]
     #[inline(never)]
     fn exact(&self, (second, third): (i32, i32)) -> (u32, u32, u32) {
         let wide = |(x, y): (i32, i32)| (i64::from(x), i64::from(y));
         let (b, c) = (wide(self.to_second), wide(self.to_third));
         let (second, third) = (i64::from(second), i64::from(third));
-        // 31 bits by 22 bits by 4: below 2⁵⁸.
-        let gradient = |numerator: i64| divide_round((self.area.signum() * numerator) << 4, self.area.abs());
-        let along_x = gradient(second * c.1 - third * b.1);
-        let along_y = gradient(third * b.0 - second * c.0);
+        // 32 bits by 22 bits, two of them, by 16: below 2⁵⁹.
+        let signed = |numerator: i64| (self.area.signum() * numerator) << 4;
+        let (along_x, along_y) = (signed(second * c.1 - third * b.1), signed(third * b.0 - second * c.0));
+        let area = self.area.abs();
         let [x, y] = self.to_centre().map(i64::from);
-        let offset = along_x.wrapping_mul(x).wrapping_add(along_y.wrapping_mul(y)) >> 4;
-        (low_u32(along_x), low_u32(along_y), low_u32(offset))
+        let offset = times_quotient(along_x, area, x).wrapping_add(times_quotient(along_y, area, y)) >> 4;
+        let step = |numerator| low_u32(divide_round(numerator, area));
+        (step(along_x), step(along_y), low_u32(offset))
     }
 
-    /// From the first corner to the centre of the pixel that it is in, in sixteenths: −7 to 8.
+    /// From the first corner to the centre of the pixel that planes begin at, in sixteenths.
     #[inline]
     fn to_centre(&self) -> [i32; 2] {
-        [self.first.x, self.first.y].map(|v| SUBPIXELS / 2 - (v.to_bits() & (SUBPIXELS - 1)))
+        let (column, row) = self.from;
+        let along = |pixel: i32, corner: i32| (pixel * SUBPIXELS + SUBPIXELS / 2).wrapping_sub(corner);
+        [along(column, self.first.x.to_bits()), along(row, self.first.y.to_bits())]
     }
+}
+
+/// `numerator / divisor · factor`, rounded down once but for 2⁻¹⁵, modulo 2⁶⁴: for a divisor below 2⁴⁴ and a factor
+/// below 2²³.
+fn times_quotient(numerator: i64, divisor: i64, factor: i64) -> i64 {
+    let (whole, part) = divide_floor(numerator, divisor);
+    // A part has up to 44 bits, and there is room for 63 of a product.
+    let parts = divide_floor((part >> 5) * factor, (divisor >> 5).max(1)).0;
+    whole.wrapping_mul(factor).wrapping_add(if divisor < 1 << 40 {
+        divide_floor(part * factor, divisor).0
+    } else {
+        parts
+    })
 }
 
 /// `value · part / 16`, rounded down, for a part of some sixteenths; in 32 bits.
@@ -256,14 +281,15 @@ mod tests {
             prop_assume!((0.0..2_147_483_648.0).contains(&want));
             let plane = Slopes::new(&[a, b, c]).plane(&values.map(|value| [value]));
             let [got] = plane.at(y, x).next_fine();
-            let distance = f64::from((x - (points[0].0 >> 4)).abs() + (y - (points[0].1 >> 4)).abs() + 2);
             // A rise of more than 16 bits is cut to 16.
             let rise = values.iter().max().zip(values.iter().min()).map_or(0.0, |(high, low)| f64::from(high - low));
             let longest = points.iter().map(|p| (p.0 - points[0].0).abs().max((p.1 - points[0].1).abs())).max();
             let is_small = longest.is_some_and(|longest| longest.unsigned_abs() < SMALL);
             let cut = if is_small { rise / 32_768.0 * 4.0 } else { 0.0 };
             let error = (f64::from(got.wrapping_sub(1 << 14).cast_signed()) - want).abs();
-            prop_assert!(error <= 2.0 * distance + cut + 1.0, "{} for {}: {}", got, want, error);
+            let away = |at: i32, from: i32| f64::from((at - if is_small { from >> 4 } else { (from >> 4).clamp(0, SCREEN) }).abs());
+            let distance = away(x, points[0].0) + away(y, points[0].1);
+            prop_assert!(error <= distance + cut + 2.0, "{} for {}: {}", got, want, error);
         }
     }
 }

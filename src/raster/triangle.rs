@@ -10,13 +10,17 @@
 //!
 //! Which pixels: the rule of [`raster`](super). Triangles that share an edge share no pixel and
 //! leave none, whatever the order of their corners, because both walk that edge in the same direction.
+//!
+//! Triangles of some pixels, as meshes have them, are not worth the divisions of a walk: there each pixel of the
+//! bounding box is tested against the three *edge functions*, whose signs tell on which side of an edge it lies
+//! (J. Pineda, "A parallel algorithm for polygon rasterization", SIGGRAPH 1988). Both ways give the same pixels.
 
 use core::ops::Range;
 
 use crate::{
     edge::{Edge, first_row},
     error::OutOfRange,
-    space::{Rect, twice_area},
+    space::{Point2, Rect, twice_area},
     span::Sink,
     vary::{LIMIT, Plane, Ramp, Vertex},
 };
@@ -24,9 +28,7 @@ use crate::{
 /// A triangle whose corners carry `N` attributes; `N` may be 0.
 #[derive(Clone, Copy, Debug)]
 pub struct Triangle<const N: usize> {
-    /// From top to bottom.
     corners: [Vertex<N>; 3],
-    middle_is_right: bool,
 }
 
 impl<const N: usize> Triangle<N> {
@@ -35,76 +37,168 @@ impl<const N: usize> Triangle<N> {
     /// # Errors
     /// [`OutOfRange`] when a corner is 65,536 pixels or more from the origin.
     pub fn new(corners: [Vertex<N>; 3]) -> Result<Self, OutOfRange> {
-        if !corners.iter().all(|corner| corner.position.within(LIMIT)) {
-            return Err(OutOfRange);
-        }
-        let [mut a, mut b, mut c] = corners;
-        let order = |upper: &mut Vertex<N>, lower: &mut Vertex<N>| {
-            if lower.position.y < upper.position.y {
-                core::mem::swap(upper, lower);
-            }
-        };
-        order(&mut a, &mut b);
-        order(&mut b, &mut c);
-        order(&mut a, &mut b);
-        let middle_is_right = twice_area(a.position, b.position, c.position) > 0;
-        Ok(Self { corners: [a, b, c], middle_is_right })
+        if corners.iter().all(|corner| corner.position.within(LIMIT)) { Ok(Self { corners }) } else { Err(OutOfRange) }
     }
 
-    /// Emits the spans inside the bounds of `sink`.
+    /// Emits the spans inside the bounds of `sink`, with the attributes along them.
     ///
-    /// Three edge set-ups (two divisions each); attributes cost their gradients only when there is
-    /// a span at all, which for small triangles there often is not. No memory.
+    /// Three edge set-ups (two divisions each, none for a triangle of some pixels); attributes cost their gradients
+    /// only when there is a span at all, which for small triangles there often is not. No memory.
     ///
     /// # Errors
     /// What the sink says.
     pub fn spans<S: Sink<Ramp<N>>>(&self, sink: &mut S) -> Result<(), S::Error> {
+        let mut plane = None;
         let bounds = sink.bounds();
-        let [top, middle, bottom] = self.corners.map(|corner| corner.position);
-        let rows = visible_rows(first_row(top.y.to_bits())..first_row(bottom.y.to_bits()), bounds);
-        if rows.is_empty() {
-            return Ok(());
-        }
-        let turn = first_row(middle.y.to_bits()).max(rows.start).min(rows.end);
-        let mut walk = Spans { long: Edge::new(top, bottom, rows.start), plane: None, triangle: self, bounds };
-        if rows.start < turn {
-            walk.rows(rows.start..turn, Edge::new(top, middle, rows.start), sink)?;
-        }
-        if turn < rows.end {
-            walk.rows(turn..rows.end, Edge::new(middle, bottom, turn), sink)?;
-        }
-        Ok(())
+        shape(&self.corners.map(|corner| corner.position), bounds, &mut |row, columns: Range<i32>| {
+            let plane = plane.get_or_insert_with(|| Plane::through(&self.corners));
+            let ramp = plane.at(row, columns.start);
+            sink.span(row, columns, ramp)
+        })
     }
 }
 
-fn visible_rows(rows: Range<i32>, bounds: Rect) -> Range<i32> {
-    rows.start.max(bounds.top)..rows.end.min(bounds.bottom)
+/// Emits the spans of a triangle inside the bounds of `sink`, without attributes.
+///
+/// # Errors
+/// What the sink says.
+#[inline]
+pub(crate) fn spans<S: Sink>(corners: &[Point2; 3], sink: &mut S) -> Result<(), S::Error> {
+    let bounds = sink.bounds();
+    shape(corners, bounds, &mut |row, columns| sink.span(row, columns, ()))
 }
 
-/// The walk down the long edge.
-struct Spans<'t, const N: usize> {
-    long: Edge,
-    /// Made at the first span.
-    plane: Option<Plane<N>>,
-    triangle: &'t Triangle<N>,
+/// Gives the spans of a triangle with corners nearer than [`LIMIT`].
+#[inline]
+fn shape<E>(
+    corners: &[Point2; 3],
     bounds: Rect,
+    take: &mut impl FnMut(i32, Range<i32>) -> Result<(), E>,
+) -> Result<(), E> {
+    let reach = |of: fn(&Point2) -> i32| {
+        let [a, b, c] = corners.each_ref().map(of);
+        first_row(a.min(b).min(c))..first_row(a.max(b).max(c))
+    };
+    // A column is to an edge what a row is to a corner.
+    let (rows, columns) = (reach(|p| p.y.to_bits()), reach(|p| p.x.to_bits()));
+    if rows.is_empty() || columns.is_empty() {
+        return Ok(());
+    }
+    let (height, width) = (rows.end - rows.start, columns.end - columns.start);
+    let area = Rect::new(columns.start, rows.start, columns.end, rows.end).intersection(bounds);
+    if area.is_empty() {
+        Ok(())
+    } else if height <= LONGEST && width <= LONGEST && height * width <= MOST_TESTS {
+        tested(corners, area, take)
+    } else {
+        walked(corners, area, take)
+    }
 }
 
-impl<const N: usize> Spans<'_, N> {
-    /// The rows beside one of the short edges.
-    fn rows<S: Sink<Ramp<N>>>(&mut self, rows: Range<i32>, mut short: Edge, sink: &mut S) -> Result<(), S::Error> {
-        for row in rows {
-            let (long, other) = (self.long.column(), short.column());
-            let (left, right) = if self.triangle.middle_is_right { (long, other) } else { (other, long) };
-            let columns = left.max(self.bounds.left)..right.min(self.bounds.right);
-            if !columns.is_empty() {
-                let plane = self.plane.get_or_insert_with(|| Plane::through(&self.triangle.corners));
-                let ramp = plane.at(row, columns.start);
-                sink.span(row, columns, ramp)?;
+/// Pixels in a row or column of a box, and in the whole box, that are tested one by one.
+const LONGEST: i32 = 16;
+const MOST_TESTS: i32 = 32;
+
+/// The edge function of a side, in square sixteenths: not negative on the inner side.
+#[derive(Clone, Copy)]
+struct Side {
+    /// At a pixel's centre.
+    value: i32,
+    /// What is added a column to the right, and a row down.
+    across: i32,
+    down: i32,
+}
+
+impl Side {
+    /// Of the side from one corner to the next, clockwise around the triangle, standing on a pixel.
+    #[inline]
+    fn new(from: Point2, to: Point2, (column, row): (i32, i32)) -> Self {
+        let (dx, dy) = (to.x.to_bits() - from.x.to_bits(), to.y.to_bits() - from.y.to_bits());
+        let (x, y) = (column * 16 + 8 - from.x.to_bits(), row * 16 + 8 - from.y.to_bits());
+        // A centre on a side belongs to it if that is a left one, which runs up, or an upper one, which runs right.
+        let owns = dy < 0 || (dy == 0 && dx > 0);
+        Self { value: dx * y - dy * x - i32::from(!owns), across: -16 * dy, down: 16 * dx }
+    }
+}
+
+/// Tests every pixel of a small box.
+#[inline]
+fn tested<E>(
+    &[a, b, c]: &[Point2; 3],
+    area: Rect,
+    take: &mut impl FnMut(i32, Range<i32>) -> Result<(), E>,
+) -> Result<(), E> {
+    let (b, c) = if twice_area_of_small(a, b, c) < 0 { (c, b) } else { (b, c) };
+    let mut sides = [(a, b), (b, c), (c, a)].map(|(from, to)| Side::new(from, to, (area.left, area.top)));
+    for row in area.rows() {
+        let [mut first, mut second, mut third] = sides.map(|side| side.value);
+        let [first_step, second_step, third_step] = sides.map(|side| side.across);
+        let (mut start, mut end) = (area.right, area.right);
+        for column in area.columns() {
+            // The sign of the union is negative if one of them is.
+            if first | second | third >= 0 {
+                start = start.min(column);
+            } else if start < column {
+                end = column;
+                break;
             }
-            self.long.advance();
+            (first, second, third) = (first + first_step, second + second_step, third + third_step);
+        }
+        if start < end {
+            take(row, start..end)?;
+        }
+        for side in &mut sides {
+            side.value += side.down;
+        }
+    }
+    Ok(())
+}
+
+/// [`twice_area`] of corners less than 2¹⁵ sixteenths from each other.
+#[inline]
+fn twice_area_of_small(a: Point2, b: Point2, c: Point2) -> i32 {
+    let to = |p: Point2| (p.x.to_bits() - a.x.to_bits(), p.y.to_bits() - a.y.to_bits());
+    let ((bx, by), (cx, cy)) = (to(b), to(c));
+    bx * cy - cx * by
+}
+
+/// Walks down the edges.
+#[inline(never)]
+fn walked<E>(
+    &[a, b, c]: &[Point2; 3],
+    area: Rect,
+    take: &mut impl FnMut(i32, Range<i32>) -> Result<(), E>,
+) -> Result<(), E> {
+    let ([mut top, mut middle, mut bottom], area_sign) = ([a, b, c], twice_area(a, b, c).signum());
+    if area_sign == 0 {
+        return Ok(());
+    }
+    let mut middle_is_right = area_sign > 0;
+    let mut order = |upper: &mut Point2, lower: &mut Point2| {
+        if lower.y < upper.y {
+            core::mem::swap(upper, lower);
+            middle_is_right = !middle_is_right;
+        }
+    };
+    order(&mut top, &mut middle);
+    order(&mut middle, &mut bottom);
+    order(&mut top, &mut middle);
+    let turn = first_row(middle.y.to_bits()).max(area.top).min(area.bottom);
+    let mut long = Edge::new(top, bottom, area.top);
+    for (rows, upper, lower) in [(area.top..turn, top, middle), (turn..area.bottom, middle, bottom)] {
+        if rows.is_empty() {
+            continue;
+        }
+        let mut short = Edge::new(upper, lower, rows.start);
+        for row in rows {
+            let (left, right) = if middle_is_right { (&long, &short) } else { (&short, &long) };
+            let columns = left.column().max(area.left)..right.column().min(area.right);
+            if !columns.is_empty() {
+                take(row, columns)?;
+            }
+            long.advance();
             short.advance();
         }
-        Ok(())
     }
+    Ok(())
 }
