@@ -42,6 +42,38 @@ pub(crate) const fn divide_round(dividend: i64, divisor: i64) -> i64 {
     divide_floor(dividend.saturating_add(divisor / 2), divisor).0
 }
 
+/// What to multiply by instead of dividing by `value`: `(reciprocal, shift)` such that `1/value` is
+/// `reciprocal / 2^(63 - shift)`, too small by less than one part in 2²⁹ and never too large.
+///
+/// `value << shift` has its highest bit set, and so has the reciprocal. Zero counts as one. One division of
+/// 32 bits for the first 16 bits, and one step of Newton's, which doubles them, with two products of 64 bits.
+#[inline]
+pub(crate) const fn reciprocal(value: u32) -> (u32, u32) {
+    let value = if value == 0 { 1 } else { value };
+    let shift = value.leading_zeros();
+    let normal = value << shift; // 2³¹ ≤ normal < 2³²
+    // 2⁴⁸/normal, from 2³² over the upper half of it rounded: off by one and a half parts in 2¹⁶ at most.
+    let upper = (normal >> 16) + ((normal >> 15) & 1);
+    let seed = (u32::MAX - upper / 2) / upper + 1;
+    // How far seed × normal is from 2⁴⁸, in 16ths; then seed × (1 + error).
+    let error = (1_i64 << 48).wrapping_sub((seed as u64 * normal as u64).cast_signed()) >> 4;
+    let corrected = ((seed as i64) << 15) + ((seed as i64 * low_i32(error) as i64) >> 29);
+    // A power of two has a reciprocal of 2³², one too much.
+    (saturate_u32(corrected.cast_unsigned()), shift)
+}
+
+/// The upper half of the product with a number below 1 that has 32 fraction bits, rounded down.
+#[inline]
+pub(crate) const fn multiply_high(value: i32, fraction: u32) -> i32 {
+    low_i32((value as i64 * fraction as i64) >> 32)
+}
+
+/// [`multiply_high`] without a sign.
+#[inline]
+pub(crate) const fn multiply_high_u32(value: u32, fraction: u32) -> u32 {
+    ((value as u64 * fraction as u64) >> 32) as u32
+}
+
 /// The low 32 bits: arithmetic modulo 2³² by intent.
 #[inline]
 #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "modulo 2^32 by intent")]
@@ -208,4 +240,51 @@ pub(crate) const fn multiply_60(a: u64, b: u64) -> u64 {
 #[expect(clippy::cast_possible_truncation, reason = "a float-to-int cast saturates")]
 pub(crate) fn scalar_of_f32(value: f32) -> Scalar {
     Scalar::from_bits((value * 65_536.0) as i32)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// How much too small a reciprocal is, in parts of 2⁴⁰.
+    fn shortfall(value: u32) -> u128 {
+        let (reciprocal, shift) = reciprocal(value);
+        assert_eq!(reciprocal >> 31, 1, "{value}");
+        let (product, exact) = (u128::from(reciprocal) * u128::from(value), 1_u128 << (63 - shift));
+        assert!(product <= exact, "1/{value} is too large");
+        ((exact - product) << 40) / exact
+    }
+
+    #[test]
+    fn reciprocals_are_right_to_29_bits_for_all_exponents() {
+        let mut worst = 0;
+        for shift in 0..32 {
+            let (least, most) = (1_u32 << 31 >> shift, u32::MAX >> shift);
+            let around = [least, least + 1, least + 2, most / 4 * 3, most.saturating_sub(1), most];
+            for value in around.into_iter().filter(|value| (least..=most).contains(value)) {
+                worst = worst.max(shortfall(value));
+            }
+            let step = 2_654_435_769_u32;
+            for i in 0..20_000_u32 {
+                worst = worst.max(shortfall(least + (i.wrapping_mul(step) % (most - least + 1).max(1))));
+            }
+        }
+        // Both sides of each place where the upper half is rounded, and where it changes.
+        for upper in 0x8000..=0xFFFF_u32 {
+            for lower in [0, 1, 0x7FFF, 0x8000, 0x8001, 0xFFFF] {
+                worst = worst.max(shortfall(upper << 16 | lower));
+            }
+        }
+        assert!(worst <= 1 << 11, "{worst}");
+        assert!(worst > 1 << 8, "the test sees an error: {worst}");
+        assert_eq!(reciprocal(0), reciprocal(1));
+        assert_eq!(reciprocal(3), (0xAAAA_AAAA, 30));
+    }
+
+    #[test]
+    fn upper_halves_are_rounded_down() {
+        assert_eq!([multiply_high(-1, 1), multiply_high(i32::MIN, u32::MAX)], [-1, i32::MIN]);
+        assert_eq!(multiply_high(i32::MAX, 1 << 31), (1 << 30) - 1);
+        assert_eq!(multiply_high_u32(u32::MAX, u32::MAX), u32::MAX - 1);
+    }
 }

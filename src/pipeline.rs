@@ -27,7 +27,7 @@ use crate::{
     hidden::depth::{DepthBuffer, is_nearer},
     matrix::Matrix,
     model::mesh::Mesh,
-    num::Scalar,
+    num::{Scalar, high_u16},
     raster::triangle::Triangle,
     space::{Clip, Model, Point2, Point4, Rect, View, World},
     span::Sink,
@@ -171,7 +171,7 @@ impl MeshVertex {
         Self { position: Point2::from_sixteenths(i32::MIN, i32::MIN), depth: 0, light: Light::BLACK };
 
     const fn new(point: ScreenPoint, light: Light) -> Self {
-        Self { position: point.position, depth: point.depth, light }
+        Self { position: point.position, depth: high_u16(point.depth << 8), light }
     }
 
     fn is_projected(&self) -> bool {

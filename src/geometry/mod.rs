@@ -3,12 +3,21 @@
 //! - **Takes** vertices of a mesh and the matrices of object and camera.
 //! - **Gives** screen points with depth, facing, and light.
 //! - **Memory** none.
-//! - **Cost** a vertex: 12 multiplications to clip space, one division to the screen, 3
-//!   multiplications for its light.
+//! - **Cost** a vertex: 24 multiplications to clip space, one division and seven long multiplications
+//!   to the screen, 3 multiplications for the light of one lamp.
 //!
 //! ```text
 //!   Model ─placement▶ World ─camera▶ View ─projection▶ Clip ─÷w▶ −1…1 ─viewport▶ pixels
 //! ```
+//!
+//! All roundings of that chain together, on a view of 400 × 240 pixels with a field of 60°, against floating
+//! point; half a sixteenth of each is the last rounding to sixteenths of a pixel:
+//!
+//! | near plane | place, sixteenths of a pixel | depth, of 65536 |
+//! |---|---|---|
+//! | ⅛ | 1.75 | 14 |
+//! | ½ | 0.88 | 4 |
+//! | 1 | 0.75 | 2 |
 
 /// [`Angle`](angle::Angle), which every stage may use.
 pub mod angle {

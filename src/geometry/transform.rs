@@ -4,7 +4,7 @@ use crate::{
     angle::Angle,
     error::OutOfRange,
     matrix::Matrix,
-    num::{Scalar, divide_round, low_i32, saturate_i32},
+    num::{Scalar, divide_round, saturate_i32},
     space::{CLIP_LIMIT, Clip, Model, Point3, Point4, Vector3, View, World},
 };
 
@@ -83,9 +83,43 @@ fn cross(a: Vector3<World>, b: Vector3<World>) -> Vector3<World> {
 }
 
 /// From quantised mesh places straight to clip space: the transform of the inner loop.
+///
+/// A 64-bit product costs a core like the Cortex-M0 some thirty instructions, a 32-bit one costs it one. So
+/// each element is kept in two parts, `high · 2¹⁴ + low`, whose products with 16-bit places fit 32 bits:
+///
+/// ```text
+///   element · place / 2¹⁴  =  high · place  +  low · place / 2¹⁴
+///            exact             exact           the one rounding
+/// ```
 #[derive(Clone, Copy, Debug)]
 pub struct MeshTransform {
-    rows: [[Scalar; 4]; 4],
+    rows: [Row; 4],
+}
+
+/// A row of the matrix, split.
+#[derive(Clone, Copy, Debug)]
+struct Row {
+    /// Elements over 2¹⁴, rounded down: less than 2¹³ + 3 all together.
+    high: [i32; 3],
+    /// What that left over: 0 to 2¹⁴ − 1 each.
+    low: [i32; 3],
+    /// The last element.
+    shift: i32,
+}
+
+impl Row {
+    fn new([x, y, z, w]: [Scalar; 4]) -> Self {
+        let elements = [x, y, z].map(Scalar::to_bits);
+        Self { high: elements.map(|v| v >> 14), low: elements.map(|v| v & 0x3FFF), shift: w.to_bits() }
+    }
+
+    /// Six 32-bit products. The sums are less than 2²⁸ and 3 · 2²⁹, by the test in [`MeshTransform::new`].
+    #[inline]
+    fn apply(&self, [x, y, z]: [i32; 3]) -> Scalar {
+        let sum = |[a, b, c]: [i32; 3]| a * x + b * y + c * z;
+        // Places have 14 fraction bits.
+        Scalar::from_bits(sum(self.high) + ((sum(self.low) + (1 << 13)) >> 14) + self.shift)
+    }
 }
 
 impl MeshTransform {
@@ -101,18 +135,23 @@ impl MeshTransform {
                 return Err(OutOfRange);
             }
         }
-        Ok(Self { rows: *matrix.rows() })
+        Ok(Self { rows: matrix.rows().map(Row::new) })
     }
 
-    /// Where a mesh place lands. Products of 16 by 32 bits, one rounding a coordinate.
+    /// Where a mesh place lands: the exact sum, rounded once a coordinate. 24 products of 32 bits.
+    #[inline]
     #[must_use]
     pub fn apply(&self, place: [i16; 3]) -> Point4<Clip> {
-        let [x, y, z] = place.map(i64::from);
-        let [x, y, z, w] = self.rows.map(|[a, b, c, d]| {
-            let [a, b, c, d] = [a, b, c, d].map(|v| i64::from(v.to_bits()));
-            // Places have 14 fraction bits.
-            Scalar::from_bits(low_i32((a * x + b * y + c * z + (d << 14) + (1 << 13)) >> 14))
-        });
+        let place = place.map(i32::from);
+        let [x, y, z, w] = self.rows.each_ref().map(|row| row.apply(place));
         Point4::new(x, y, z, w)
+    }
+
+    /// Only the `w` of where a mesh place lands: with perspective, how far in front of the eye it is.
+    #[inline]
+    #[must_use]
+    pub fn apply_w(&self, place: [i16; 3]) -> Scalar {
+        let [.., last] = &self.rows;
+        last.apply(place.map(i32::from))
     }
 }
