@@ -65,6 +65,7 @@ pub mod curve;
 mod edge;
 mod em;
 mod error;
+pub mod illumination;
 mod lines;
 mod matrix;
 mod num;

@@ -212,21 +212,6 @@ pub(crate) const fn from_16_15(value: u32) -> u16 {
     (value >> FRACTION_16_15) as u16
 }
 
-/// One over a number: `(over, zeros)` with `over · 2^zeros / 2⁶³ ≈ 1 / value`, and `over ≥ 2³¹`.
-///
-/// Off by less than 2⁻²⁹ of itself. One division of 32 bits, one step of Newton's method. Of zero, something.
-#[inline]
-pub(crate) const fn reciprocal(value: u32) -> (u32, u32) {
-    let zeros = (value | 1).leading_zeros();
-    let scaled = (value | (value == 0) as u32) << zeros;
-    // 17 bits of 2⁴⁸ / scaled …
-    let Some(first) = u32::MAX.checked_div(scaled >> 16) else { return (u32::MAX, zeros) };
-    // … and as many again from what is missing.
-    let missing = (1_i64 << 48) - (first as i64) * (scaled as i64);
-    let over = ((first as i64) << 15) + (((first as i64) * missing) >> 33);
-    (low_u32(if over > u32::MAX as i64 { u32::MAX as i64 } else { over }), zeros)
-}
-
 /// The product of two numbers with 60 fraction bits, rounded down: for tables that the compiler builds.
 /// Modulo 16, where it would be that large.
 #[expect(clippy::cast_possible_truncation, reason = "modulo 2^64 by intent")]

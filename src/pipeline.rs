@@ -1,51 +1,97 @@
 //! The conductor: from the vertices of a mesh to light on a target. Lecture 1.1.2 and 2.
 //!
 //! ```text
-//!   mesh ─▶ transform, light ─▶ clip ─▶ project ─▶ back faces ─▶ triangles ─▶ depth ─▶ light
+//!   mesh ─▶ transform, light ─▶ clip ─▶ project ─▶ faces ─▶ triangles ─▶ depth ─▶ shade
 //!           each vertex once             each triangle ……………………………… each pixel
 //! ```
 //!
 //! The only module that knows more than one stage. Each function here is one arrow.
 
-use core::{error::Error, fmt, ops::Range};
+mod fragments;
+mod surface;
+mod vertex;
+
+use core::{error::Error, fmt};
 
 use heapless::vec::Vec;
 
 use crate::{
     clip::{
-        sutherland_hodgman::{self, Crossing, Cut},
+        sutherland_hodgman,
         volume::{self, Plane},
     },
-    colour::Light,
     error::OutOfRange,
+    fragment::shade::{Gouraud, Shading},
     geometry::{
-        face::is_front,
-        light::Lamp,
+        face::{self, Faces, Side, signed_area},
+        light::{Lamp, Lighting, Lit, Surface as Reflectance},
         transform::MeshTransform,
         viewport::{ScreenPoint, Viewport},
     },
-    hidden::depth::{DepthBuffer, is_nearer},
+    hidden::Hidden,
+    illumination::Illumination,
     matrix::Matrix,
     model::mesh::Mesh,
-    num::{Scalar, high_u16},
-    raster::triangle::Triangle,
-    space::{Clip, Model, Point2, Point4, Rect, View, World},
-    span::Sink,
+    space::{Clip, Model, View, World},
     target::Target,
-    vary::{Ramp, Vertex},
+    vary::Varying,
 };
+pub use fragments::DepthBias;
+use fragments::{Fragments, MeshTriangle, Piece};
+use surface::Surface;
+use vertex::ClipVertex;
+pub use vertex::MeshVertex;
 
-/// A mesh, put somewhere.
+/// A mesh, put somewhere, and what it is made of.
 #[derive(Clone, Copy, Debug)]
-pub struct Instance<'a> {
+pub struct Instance<'a, S = Gouraud> {
     /// What.
     pub mesh: Mesh<'a>,
     /// Where: any rotations and translations, and scales that are the same along all axes.
     pub placement: Matrix<Model, World>,
+    /// What it looks like.
+    pub material: Material<S>,
 }
 
-/// From where, through what, onto which part of the screen, and in what light.
+impl<'a> Instance<'a> {
+    /// A closed solid, matte and Gouraud shaded.
+    #[must_use]
+    pub const fn new(mesh: Mesh<'a>, placement: Matrix<Model, World>) -> Self {
+        Self { mesh, placement, material: Material::new(Gouraud) }
+    }
+}
+
+impl<'a, S> Instance<'a, S> {
+    /// The same of another material.
+    #[must_use]
+    pub fn with_material<R>(self, material: Material<R>) -> Instance<'a, R> {
+        Instance { mesh: self.mesh, placement: self.placement, material }
+    }
+}
+
+/// What a surface looks like.
 #[derive(Clone, Copy, Debug)]
+pub struct Material<S = Gouraud> {
+    /// How its pixels get their colours.
+    pub shading: S,
+    /// How it gives back light.
+    pub surface: Reflectance,
+    /// Which of its sides are drawn.
+    pub faces: Faces,
+    /// How much nearer it is taken to be.
+    pub bias: DepthBias,
+}
+
+impl<S> Material<S> {
+    /// Matte, and seen from the front only.
+    #[must_use]
+    pub const fn new(shading: S) -> Self {
+        Self { shading, surface: Reflectance::MATTE, faces: Faces::Front, bias: DepthBias::NONE }
+    }
+}
+
+/// From where, through what, and onto which part of the screen.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Camera {
     /// The place and direction of the eye.
     pub view: Matrix<World, View>,
@@ -53,26 +99,25 @@ pub struct Camera {
     pub projection: Matrix<View, Clip>,
     /// The pixels that the view fills.
     pub viewport: Viewport,
-    /// The light of the scene.
-    pub lamp: Lamp,
 }
 
-/// A vertex after transform and light: 12 bytes. Lend the pipeline one for each vertex of a mesh.
-#[derive(Clone, Copy, Debug, Default)]
-pub struct MeshVertex {
-    /// [`UNPROJECTED`](Self::UNPROJECTED) when it must be clipped first.
-    position: Point2,
-    depth: u16,
-    light: Light,
+/// What all instances of a picture have in common.
+#[derive(Clone, Copy, Debug)]
+pub struct Scene<L = Lamp> {
+    /// The eye.
+    pub camera: Camera,
+    /// The light: a [`Lamp`], or several.
+    pub light: L,
 }
 
 /// What the pipeline works in.
 #[derive(Debug)]
-pub struct Workspace<'w, 'd> {
+pub struct Workspace<'w, H> {
     /// One for each vertex of the largest mesh; their contents do not matter.
     pub vertices: &'w mut [MeshVertex],
-    /// Shared by all instances of a picture; clear it between pictures.
-    pub depth: &'w mut DepthBuffer<'d>,
+    /// What decides who is in front: a [`DepthBuffer`](crate::hidden::depth::DepthBuffer), shared by all instances of a picture and cleared between
+    /// pictures, or [`Convex`](crate::hidden::convex::Convex).
+    pub hidden: &'w mut H,
 }
 
 /// Why a mesh was not drawn.
@@ -106,109 +151,130 @@ impl<E: Error + 'static> Error for DrawError<E> {
     }
 }
 
-/// Draws a mesh: lit at its vertices, Gouraud shaded, hidden surfaces removed by depth.
+/// Draws a mesh: transformed, lit, clipped, shaded, hidden surfaces removed.
 ///
 /// Where it covers pixels of the workspace's depth buffer and of `target`, the nearest surface stays.
-/// Give it [`Dithered`](crate::Dithered) on a frame, or any other target of light. A target that
+/// Give it [`Dithered`](crate::Dithered) on a frame, or any other target of the shading's colour. A target that
 /// is a band of a picture, with a depth buffer of that band, gets the same pixels as the whole.
 ///
-/// Memory: 12 bytes a vertex and 2 bytes a pixel, lent by the caller; about 1 kB of stack.
+/// Memory: 12 bytes a vertex and those of the depth buffer, lent by the caller; about 1 kB of stack.
 ///
 /// # Errors
 /// [`DrawError`].
-pub fn draw_mesh<T: Target<Color = Light>>(
-    instance: &Instance<'_>,
-    camera: &Camera,
-    workspace: &mut Workspace<'_, '_>,
+pub fn draw_mesh<S, L, H, T>(
+    instance: &Instance<'_, S>,
+    scene: &Scene<L>,
+    workspace: &mut Workspace<'_, H>,
     target: &mut T,
-) -> Result<(), DrawError<T::Error>> {
-    let mesh = instance.mesh;
-    let to_clip = instance.placement.then(&camera.view).then(&camera.projection);
+) -> Result<(), DrawError<T::Error>>
+where
+    S: Shading,
+    L: Lighting,
+    H: Hidden,
+    T: Target<Color = S::Color>,
+{
+    let Instance { mesh, placement, material } = instance;
+    let Camera { view, projection, viewport } = scene.camera;
+    let to_clip = placement.then(&view).then(&projection);
     let transform = MeshTransform::new(&to_clip).map_err(|OutOfRange| DrawError::OutOfRange)?;
     let needed = mesh.positions().len();
     let vertices = workspace.vertices.get_mut(..needed).ok_or(DrawError::TooFewVertices { needed })?;
-    process_vertices(instance, camera, &transform, vertices);
+    let lit = Lit { placement, eye: view.eye(), surface: material.surface };
+    let surface = Surface {
+        mesh: *mesh,
+        shading: &material.shading,
+        light: scene.light.for_object(&lit),
+        transform,
+        viewport,
+        faces: material.faces,
+        bias: material.bias,
+        vertices: &[],
+    };
+    surface.process_vertices(vertices);
+    let surface = Surface { vertices, ..surface };
+    let bounds = viewport.rect().intersection(workspace.hidden.bounds()).intersection(target.bounds());
+    let mut fragments = Fragments { hidden: workspace.hidden, target, bounds };
+    draw_triangles(&surface, &mut fragments).map_err(DrawError::Target)
+}
 
-    let bounds = camera.viewport.rect().intersection(workspace.depth.window()).intersection(target.bounds());
-    let mut fragments = Fragments { depth: workspace.depth, bounds, target };
-    for &[a, b, c] in mesh.triangles() {
-        let at = |index: u16| vertices.get(usize::from(index)).copied().unwrap_or_default();
-        let corners = [at(a), at(b), at(c)];
-        if corners.iter().all(MeshVertex::is_projected) {
-            draw_front(&corners, &mut fragments).map_err(DrawError::Target)?;
-        } else {
-            let place = |index: u16| mesh.positions().get(usize::from(index)).copied().unwrap_or_default();
-            let clip =
-                |index, corner: MeshVertex| ClipVertex { point: transform.apply(place(index)), light: corner.light };
-            let [p, q, r] = corners;
-            let polygon = clipped([clip(a, p), clip(b, q), clip(c, r)]);
-            draw_fan(&polygon, camera.viewport, &mut fragments).map_err(DrawError::Target)?;
+/// Every triangle that shows a side that is wanted.
+fn draw_triangles<S, I, H, T>(
+    surface: &Surface<'_, S, I>,
+    fragments: &mut Fragments<'_, H, T>,
+) -> Result<(), T::Error>
+where
+    S: Shading,
+    I: Illumination,
+    H: Hidden,
+    T: Target<Color = S::Color>,
+{
+    for (face, &corners) in surface.mesh.triangles().iter().enumerate() {
+        let vertices = corners.map(|index| surface.vertex(index));
+        if !vertices.iter().all(MeshVertex::is_projected) {
+            draw_clipped(surface, (face, corners), fragments)?;
+            continue;
+        }
+        let piece = Piece::of_vertices(&vertices);
+        draw_piece(surface, (face, corners), &piece, fragments)?;
+    }
+    Ok(())
+}
+
+/// A triangle on the screen, if the side that it shows is wanted.
+#[inline]
+fn draw_piece<S, I, H, T>(
+    surface: &Surface<'_, S, I>,
+    (face, corners): (usize, [u16; 3]),
+    piece: &Piece<S::Attributes>,
+    fragments: &mut Fragments<'_, H, T>,
+) -> Result<(), T::Error>
+where
+    S: Shading,
+    I: Illumination,
+    H: Hidden,
+    T: Target<Color = S::Color>,
+{
+    let [a, b, c] = piece.positions;
+    match surface.faces.shows(signed_area(a, b, c)) {
+        Some(side) => fragments.draw(surface, &MeshTriangle { face, corners, side }, piece),
+        None => Ok(()),
+    }
+}
+
+/// A triangle gains at most one vertex at each of the seven planes.
+type ClippedTriangle<A> = Vec<ClipVertex<A>, { 3 + Plane::ALL.len() }>;
+
+/// A triangle of which some corners cannot be projected: what is inside of the volume, as a fan.
+#[inline(never)]
+fn draw_clipped<S, I, H, T>(
+    surface: &Surface<'_, S, I>,
+    (face, corners): (usize, [u16; 3]),
+    fragments: &mut Fragments<'_, H, T>,
+) -> Result<(), T::Error>
+where
+    S: Shading,
+    I: Illumination,
+    H: Hidden,
+    T: Target<Color = S::Color>,
+{
+    // What the corners carry depends on the side that is seen, which only the projected pieces tell.
+    for side in [Side::Front, Side::Back] {
+        if surface.faces.includes(side) {
+            let triangle = MeshTriangle { face, corners, side };
+            let carried = surface.corners(&triangle).map(|corner| ClipVertex {
+                point: surface.transform.apply(corner.position),
+                attributes: surface.shading.corner(&corner),
+            });
+            draw_fan(surface, &triangle, &clipped(carried), fragments)?;
         }
     }
     Ok(())
 }
 
-/// Vertex transform and lighting, once for each vertex.
-fn process_vertices(instance: &Instance<'_>, camera: &Camera, transform: &MeshTransform, vertices: &mut [MeshVertex]) {
-    let lamp = camera.lamp.in_model_space(&instance.placement);
-    let mesh = instance.mesh;
-    for ((vertex, &position), &normal) in vertices.iter_mut().zip(mesh.positions()).zip(mesh.normals()) {
-        let point = transform.apply(position);
-        *vertex = if volume::outcode(&point) == 0 {
-            MeshVertex::new(camera.viewport.project(&point), lamp.on(normal))
-        } else {
-            MeshVertex { light: lamp.on(normal), ..MeshVertex::UNPROJECTED }
-        };
-    }
-}
-
-impl MeshVertex {
-    /// Something to fill an array with. All its bytes are zero, so that a static array takes no flash.
-    pub const EMPTY: Self = Self { position: Point2::from_sixteenths(0, 0), depth: 0, light: Light::BLACK };
-
-    /// A place that no projected vertex has.
-    const UNPROJECTED: Self =
-        Self { position: Point2::from_sixteenths(i32::MIN, i32::MIN), depth: 0, light: Light::BLACK };
-
-    const fn new(point: ScreenPoint, light: Light) -> Self {
-        Self { position: point.position, depth: high_u16(point.depth << 8), light }
-    }
-
-    fn is_projected(&self) -> bool {
-        self.position.x.to_bits() != i32::MIN
-    }
-
-    const fn attributes(&self) -> Vertex<2> {
-        Vertex { position: self.position, attributes: [self.depth, self.light.0] }
-    }
-}
-
-/// A vertex in clip space.
-#[derive(Clone, Copy, Debug)]
-struct ClipVertex {
-    point: Point4<Clip>,
-    light: Light,
-}
-
-impl Cut for ClipVertex {
-    fn cut(inside: Self, outside: Self, crossing: Crossing) -> Self {
-        let scalar = |a: Scalar, b: Scalar| Scalar::from_bits(crossing.coordinate(a.to_bits(), b.to_bits()));
-        let (a, b) = (inside.point, outside.point);
-        Self {
-            point: Point4::new(scalar(a.x, b.x), scalar(a.y, b.y), scalar(a.z, b.z), scalar(a.w, b.w)),
-            light: Light(crossing.attribute(inside.light.0, outside.light.0)),
-        }
-    }
-}
-
-/// A triangle gains at most one vertex at each of the seven planes.
-type ClippedTriangle = Vec<ClipVertex, { 3 + Plane::ALL.len() }>;
-
 /// The part of a triangle inside the volume that may be projected.
-fn clipped(corners: [ClipVertex; 3]) -> ClippedTriangle {
+fn clipped<A: Varying>(corners: [ClipVertex<A>; 3]) -> ClippedTriangle<A> {
     let (mut polygon, mut next) = (ClippedTriangle::new(), ClippedTriangle::new());
-    let codes = corners.map(|corner| volume::outcode(&corner.point));
-    let [a, b, c] = codes;
+    let [a, b, c] = corners.each_ref().map(|corner| volume::outcode(&corner.point));
     if a & b & c != 0 || polygon.extend_from_slice(&corners).is_err() {
         return polygon;
     }
@@ -222,57 +288,37 @@ fn clipped(corners: [ClipVertex; 3]) -> ClippedTriangle {
     polygon
 }
 
-/// A convex polygon, as a fan of triangles.
-fn draw_fan<T: Target<Color = Light>>(
-    polygon: &[ClipVertex],
-    viewport: Viewport,
-    fragments: &mut Fragments<'_, '_, T>,
-) -> Result<(), T::Error> {
-    let project = |vertex: &ClipVertex| MeshVertex::new(viewport.project(&vertex.point), vertex.light);
+/// A convex polygon, as a fan of triangles of the side that is wanted.
+fn draw_fan<S, I, H, T>(
+    surface: &Surface<'_, S, I>,
+    triangle: &MeshTriangle,
+    polygon: &[ClipVertex<S::Attributes>],
+    fragments: &mut Fragments<'_, H, T>,
+) -> Result<(), T::Error>
+where
+    S: Shading,
+    I: Illumination,
+    H: Hidden,
+    T: Target<Color = S::Color>,
+{
+    let project = |vertex: &ClipVertex<S::Attributes>| {
+        let ScreenPoint { position, depth } = surface.viewport.project(&vertex.point);
+        (position, depth << 7, (vertex.point.w, vertex.attributes))
+    };
     let [first, rest @ ..] = polygon else { return Ok(()) };
     let first = project(first);
     for pair in rest.windows(2) {
-        if let [second, third] = pair {
-            draw_front(&[first, project(second), project(third)], fragments)?;
+        let [second, third] = pair else { continue };
+        let corners = [first, project(second), project(third)];
+        let piece = Piece {
+            positions: corners.map(|corner| corner.0),
+            depths: corners.map(|corner| corner.1),
+            clipped: Some(corners.map(|corner| corner.2)),
+        };
+        let [a, b, c] = piece.positions;
+        if face::side(a, b, c) == Some(triangle.side) {
+            fragments.draw(surface, triangle, &piece)?;
         }
     }
     Ok(())
-}
-
-/// A triangle on the screen, unless it shows its back.
-fn draw_front<T: Target<Color = Light>>(
-    corners: &[MeshVertex; 3],
-    fragments: &mut Fragments<'_, '_, T>,
-) -> Result<(), T::Error> {
-    let [a, b, c] = corners.map(|corner| corner.position);
-    if !is_front(a, b, c) {
-        return Ok(());
-    }
-    // Projected corners are within the guard band, so always in range.
-    match Triangle::new(corners.map(|corner| corner.attributes())) {
-        Ok(triangle) => triangle.spans(fragments),
-        Err(_) => Ok(()),
-    }
-}
-
-/// Fragment processing: the depth test and the light of each pixel in one pass.
-struct Fragments<'f, 'd, T> {
-    depth: &'f mut DepthBuffer<'d>,
-    bounds: Rect,
-    target: &'f mut T,
-}
-
-impl<T: Target<Color = Light>> Sink<Ramp<2>> for Fragments<'_, '_, T> {
-    type Error = T::Error;
-
-    fn bounds(&self) -> Rect {
-        self.bounds
-    }
-
-    fn span(&mut self, row: i32, columns: Range<i32>, ramp: Ramp<2>) -> Result<(), T::Error> {
-        let Some(stored) = self.depth.run(row, columns.clone()) else { return Ok(()) };
-        let fragments = stored.iter_mut().zip(ramp);
-        let lights = fragments.map(|(stored, [depth, light])| is_nearer(stored, depth).then_some(Light(light)));
-        self.target.write_run(row, columns, lights)
-    }
 }

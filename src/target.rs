@@ -7,9 +7,11 @@
 use core::ops::Range;
 
 use crate::{
+    colour::Light,
     num::{count, count_i32, index},
     space::Rect,
     span::Sink,
+    vary::Ramp,
 };
 use embedded_graphics::{
     draw_target::DrawTarget,
@@ -57,6 +59,20 @@ pub trait Target {
         columns: Range<i32>,
         colors: impl Iterator<Item = Option<Self::Color>>,
     ) -> Result<(), Self::Error>;
+
+    /// Gives the pixels of a run light that changes evenly from one to the next.
+    ///
+    /// Pixel by pixel, unless the target can do better; [`Dithered`](crate::Dithered) can.
+    ///
+    /// # Errors
+    /// What the display behind says.
+    #[inline]
+    fn fill_ramp(&mut self, row: i32, columns: Range<i32>, light: Ramp<1>) -> Result<(), Self::Error>
+    where
+        Self::Color: From<Light>,
+    {
+        self.write_run(row, columns, light.map(|[light]| Some(Light(light).into())))
+    }
 
     /// Gives the pixels of an area colours that repeat every eight columns and eight rows, counted on the screen:
     /// the pixel (x, y) that of `tile[y & 7][x & 7]`.

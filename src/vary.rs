@@ -76,7 +76,7 @@ impl<const N: usize> Iterator for Ramp<N> {
 
 /// `N` attributes over the plane of the screen, fixed by the three corners of a triangle.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Plane<const N: usize> {
+pub struct Plane<const N: usize> {
     /// At the centre of this pixel, with the half for rounding in it.
     origin: [u32; N],
     column: i32,
@@ -97,6 +97,9 @@ const SMALL: u32 = 1 << 13;
 const SCREEN: i32 = 1023;
 
 impl<const N: usize> Plane<N> {
+    /// Nothing that changes, where nothing is needed.
+    pub(crate) const LEVEL: Self = Self { origin: [0; N], column: 0, row: 0, across: [0; N], down: [0; N] };
+
     /// The plane through three corners nearer than [`LIMIT`] that are not in line.
     pub(crate) fn through(corners: &[Vertex<N>; 3]) -> Self {
         let slopes = Slopes::new(&corners.map(|corner| corner.position));
@@ -123,9 +126,33 @@ impl<const N: usize> Plane<N> {
     }
 }
 
+/// What a corner carries, that can be mixed when an edge is cut.
+pub trait Varying: Copy {
+    /// What lies between this and another, each number mixed by `mix`.
+    #[must_use]
+    fn mixed(self, other: Self, mix: &impl Fn(u16, u16) -> u16) -> Self;
+}
+
+impl<const N: usize> Varying for [u16; N] {
+    #[inline]
+    fn mixed(mut self, other: Self, mix: &impl Fn(u16, u16) -> u16) -> Self {
+        for (value, other) in self.iter_mut().zip(other) {
+            *value = mix(*value, other);
+        }
+        self
+    }
+}
+
+impl<A: Varying, B: Varying> Varying for (A, B) {
+    #[inline]
+    fn mixed(self, other: Self, mix: &impl Fn(u16, u16) -> u16) -> Self {
+        (self.0.mixed(other.0, mix), self.1.mixed(other.1, mix))
+    }
+}
+
 /// What all planes over a triangle have in common: its sides, and one over its area.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Slopes {
+pub struct Slopes {
     first: Point2,
     /// The pixel that planes begin at.
     from: (i32, i32),
@@ -154,41 +181,75 @@ impl Slopes {
         Self { first: a, from, to_second, to_third, area: twice_area(a, b, c), over_area: None }
     }
 
-    /// The plane of attributes given as 16.15 numbers below 2³¹, a list for each corner.
+    /// The plane of attributes given as 16.15 numbers below 2³¹, a list for each corner. 16 digits of their rises
+    /// count in a small triangle.
     #[inline]
-    pub(crate) fn plane<const N: usize>(&self, [a, b, c]: &[[u32; N]; 3]) -> Plane<N> {
+    pub(crate) fn plane<const N: usize>(&self, corners: &[[u32; N]; 3]) -> Plane<N> {
+        let mut plane = self.plane_by(corners, |rises| self.small(self.cut_numerators(rises)));
+        plane.origin = plane.origin.map(|origin| origin.wrapping_add(1 << (FRACTION_16_15 - 1)));
+        plane
+    }
+
+    /// The same with all digits of the rises, and without the half for rounding: for what is divided afterwards.
+    #[inline]
+    pub(crate) fn fine_plane<const N: usize>(&self, corners: &[[u32; N]; 3]) -> Plane<N> {
+        self.plane_by(corners, |rises| self.small(self.all_numerators(rises)))
+    }
+
+    #[inline]
+    fn plane_by<const N: usize>(
+        &self,
+        [a, b, c]: &[[u32; N]; 3],
+        gradients: impl Fn((i32, i32)) -> Option<(u32, u32, u32)>,
+    ) -> Plane<N> {
         let (column, row) = self.from;
         let mut plane = Plane { origin: *a, column, row, across: [0; N], down: [0; N] };
         let outputs = plane.origin.iter_mut().zip(&mut plane.across).zip(&mut plane.down);
         for (((origin, across), down), (second, third)) in outputs.zip(b.iter().zip(c)) {
             let rise = |to: u32| to.cast_signed().wrapping_sub(origin.cast_signed());
             let rises = (rise(*second), rise(*third));
-            let (along_x, along_y, offset) = self.small(rises).unwrap_or_else(|| self.exact(rises));
-            *origin = origin.wrapping_add(1 << (FRACTION_16_15 - 1)).wrapping_add(offset);
+            let (along_x, along_y, offset) = gradients(rises).unwrap_or_else(|| self.exact(rises));
+            *origin = origin.wrapping_add(offset);
             (*across, *down) = (along_x, along_y);
         }
         plane
     }
 
-    /// Gradients a pixel, and the way from the first corner to the centre of its pixel.
+    /// The numerators of the gradients, of which some binary digits are cut off: these, and how many digits.
+    ///
+    /// In products of 32 bits, which keep 16 digits of the rises.
     #[inline]
-    fn small(&self, (second, third): (i32, i32)) -> Option<(u32, u32, u32)> {
-        let (over, zeros) = self.over_area?;
-        // 16 digits of the rises: all that a 16-bit attribute has.
+    fn cut_numerators(&self, (second, third): (i32, i32)) -> (i32, i32, u32) {
         let digits = (second.unsigned_abs() | third.unsigned_abs()) >> 16;
         let cut = if digits == 0 { 0 } else { 32 - digits.leading_zeros() };
         let (second, third) = (second >> cut, third >> cut);
+        // A side is below 2¹³ where these are used.
         let (b, c) = (self.to_second, self.to_third);
-        let along_x = second * c.1 - third * b.1;
-        let along_y = third * b.0 - second * c.0;
+        let difference = |p: i32, q: i32, r: i32, s: i32| p.wrapping_mul(q).wrapping_sub(r.wrapping_mul(s));
+        (difference(second, c.1, third, b.1), difference(third, b.0, second, c.0), cut)
+    }
+
+    /// The same in products of 64 bits, with 31 digits.
+    fn all_numerators(&self, (second, third): (i32, i32)) -> (i32, i32, u32) {
+        let (b, c) = (self.to_second, self.to_third);
+        let product = |p: i32, q: i32| i64::from(p) * i64::from(q);
+        let along_x = product(second, c.1) - product(third, b.1);
+        let along_y = product(third, b.0) - product(second, c.0);
+        let digits = low_u32((along_x.unsigned_abs() | along_y.unsigned_abs()).cast_signed() >> 30);
+        let cut = 32 - digits.leading_zeros();
+        (low_i32(along_x >> cut), low_i32(along_y >> cut), cut)
+    }
+
+    /// Gradients a pixel, and the way from the first corner to the centre of its pixel; of a small triangle, if they
+    /// fit.
+    #[inline]
+    fn small(&self, (along_x, along_y, cut): (i32, i32, u32)) -> Option<(u32, u32, u32)> {
+        let (over, zeros) = self.over_area?;
         // over · 2^zeros / 2^63 is one over the area; a pixel has 2^4 sixteenths.
         let shift = 59_u32.checked_sub(zeros + cut)?;
         let half = 1_i64 << shift.checked_sub(1)?;
-        let sign = if self.area < 0 { -1 } else { 1 };
-        let gradient = |numerator: i32| {
-            let exact = (i64::from(sign * numerator) * i64::from(over) + half) >> shift;
-            i32::try_from(exact).ok()
-        };
+        let over = if self.area < 0 { -i64::from(over) } else { i64::from(over) };
+        let gradient = |numerator: i32| i32::try_from((i64::from(numerator) * over + half) >> shift).ok();
         let (along_x, along_y) = (gradient(along_x)?, gradient(along_y)?);
         let [x, y] = self.to_centre();
         Some((bits(along_x), bits(along_y), bits(sixteenth_of(along_x, x).wrapping_add(sixteenth_of(along_y, y)))))
@@ -281,6 +342,7 @@ mod tests {
             prop_assume!((0.0..2_147_483_648.0).contains(&want));
             let plane = Slopes::new(&[a, b, c]).plane(&values.map(|value| [value]));
             let [got] = plane.at(y, x).next_fine();
+            let [fine] = Slopes::new(&[a, b, c]).fine_plane(&values.map(|value| [value])).at(y, x).next_fine();
             // A rise of more than 16 bits is cut to 16.
             let rise = values.iter().max().zip(values.iter().min()).map_or(0.0, |(high, low)| f64::from(high - low));
             let longest = points.iter().map(|p| (p.0 - points[0].0).abs().max((p.1 - points[0].1).abs())).max();
@@ -289,6 +351,8 @@ mod tests {
             let error = (f64::from(got.wrapping_sub(1 << 14).cast_signed()) - want).abs();
             let away = |at: i32, from: i32| f64::from((at - if is_small { from >> 4 } else { (from >> 4).clamp(0, SCREEN) }).abs());
             let distance = away(x, points[0].0) + away(y, points[0].1);
+            let fine_error = (f64::from(fine.cast_signed()) - want).abs();
+            prop_assert!(fine_error <= distance + 2.0 || want + distance > 2_147_483_000.0, "{} for {}", fine, want);
             prop_assert!(error <= distance + cut + 2.0, "{} for {}: {}", got, want, error);
         }
     }

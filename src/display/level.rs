@@ -104,9 +104,7 @@ impl<'l> Shades<'l> {
     /// that of the darker.
     #[inline]
     pub(super) fn code(&mut self, light: Light, threshold: u16) -> u8 {
-        if light.0.wrapping_sub(self.from) > self.reach {
-            *self = Self::at(self.levels, light);
-        }
+        self.move_to(light);
         // The floor of the product is exact, because lights are whole numbers.
         let switch = self.dark + ((self.gap * u32::from(threshold)) >> 16);
         self.code + u8::from(u32::from(light.0) > switch)
@@ -115,13 +113,43 @@ impl<'l> Shades<'l> {
     /// The codes of one light by eight thresholds.
     #[inline]
     pub(super) fn eight(&mut self, light: Light, thresholds: [u16; 8]) -> [u8; 8] {
-        if light.0.wrapping_sub(self.from) > self.reach {
-            *self = Self::at(self.levels, light);
-        }
+        self.move_to(light);
         let Self { dark, gap, code, .. } = *self;
         // As above, with the darker level on the other side.
         let above = u32::from(light.0).saturating_sub(dark);
         thresholds.map(|threshold| code + u8::from((gap * u32::from(threshold)) >> 16 < above))
+    }
+
+    /// Whether a light is in the step of the last one.
+    #[inline]
+    pub(super) const fn is_at(&self, light: Light) -> bool {
+        light.0.wrapping_sub(self.from) <= self.reach
+    }
+
+    /// Takes the step of a light.
+    #[inline]
+    pub(super) fn move_to(&mut self, light: Light) {
+        if !self.is_at(light) {
+            *self = Self::at(self.levels, light);
+        }
+    }
+
+    /// The darker code of this step.
+    #[inline]
+    pub(super) const fn darker(&self) -> u8 {
+        self.code
+    }
+
+    /// The two levels of this step.
+    #[inline]
+    pub(super) const fn ends(&self) -> (u32, u32) {
+        (self.dark, self.dark + self.gap)
+    }
+
+    /// The lights that must be exceeded in this step to show the brighter code.
+    #[inline]
+    pub(super) fn switches(&self, thresholds: [u16; 8]) -> [u32; 8] {
+        thresholds.map(|threshold| self.dark + ((self.gap * u32::from(threshold)) >> 16))
     }
 
     /// By value, so that the caller keeps it in registers.

@@ -40,6 +40,13 @@ pub enum Faces {
 }
 
 impl Faces {
+    /// Whether a side is drawn.
+    #[inline]
+    #[must_use]
+    pub const fn includes(self, side: Side) -> bool {
+        matches!((self, side), (Self::Both, _) | (Self::Front, Side::Front) | (Self::Back, Side::Back))
+    }
+
     /// The side of a triangle that is drawn, if one is: by [twice its area](twice_area) on the screen.
     ///
     /// A triangle without area shows nothing.
@@ -81,7 +88,7 @@ pub fn is_front(a: Point2, b: Point2, c: Point2) -> bool {
 
 /// [`twice_area`], with short products where they do.
 #[inline]
-fn signed_area(a: Point2, b: Point2, c: Point2) -> i64 {
+pub(crate) fn signed_area(a: Point2, b: Point2, c: Point2) -> i64 {
     match (short(a, b), short(a, c)) {
         // Below 2³⁰ each.
         (Some((bx, by)), Some((cx, cy))) => i64::from(bx * cy - cx * by),

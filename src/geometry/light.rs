@@ -19,6 +19,53 @@ pub struct Lamp {
     pub diffuse: Light,
 }
 
+/// A surface.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Surface {
+    /// Diffuse.
+    pub diffuse: u16,
+}
+
+impl Surface {
+    /// Matte.
+    pub const MATTE: Self = Self { diffuse: u16::MAX };
+}
+
+/// What is lit.
+#[derive(Clone, Copy, Debug)]
+pub struct Lit<'a> {
+    /// Where.
+    pub placement: &'a Matrix<Model, World>,
+    /// The eye.
+    pub eye: crate::space::Point3<World>,
+    /// Surface.
+    pub surface: Surface,
+}
+
+/// Lighting.
+pub trait Lighting {
+    /// In model space.
+    type Illumination: crate::illumination::Illumination;
+    /// For an object.
+    fn for_object(&self, object: &Lit<'_>) -> Self::Illumination;
+}
+
+impl Lighting for Lamp {
+    type Illumination = ModelLamp;
+    fn for_object(&self, object: &Lit<'_>) -> ModelLamp {
+        self.in_model_space(object.placement)
+    }
+}
+
+impl crate::illumination::Illumination for ModelLamp {
+    fn on(&self, _position: [i16; 3], normal: [i16; 3]) -> Light {
+        ModelLamp::on(self, normal.map(|n| i8::try_from(n >> 7).unwrap_or(127)))
+    }
+    fn on_vertex(&self, _position: [i16; 3], normal: [i8; 3]) -> Light {
+        ModelLamp::on(self, normal)
+    }
+}
+
 /// A lamp as one object sees it: its direction turned into the object's own space once, so that
 /// no normal has to be turned.
 #[derive(Clone, Copy, Debug)]

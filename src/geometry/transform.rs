@@ -47,6 +47,15 @@ impl<From, To> Matrix<From, To> {
 }
 
 impl Matrix<World, View> {
+    /// The place of the eye.
+    #[must_use]
+    pub fn eye(&self) -> Point3<World> {
+        let [a, b, c, _] = self.rows();
+        let v = Vector3::<View>::new(negated(a[3]), negated(b[3]), negated(c[3]));
+        let e = self.unrotate_vector(v);
+        Point3::new(e.x, e.y, e.z)
+    }
+
     /// The camera at `eye` that looks at `centre`, with `up` upwards on the screen.
     ///
     /// `None` when the eye is at the centre, or looks along `up`. The distance between the two

@@ -1,21 +1,136 @@
 //! The z-buffer: remember how near the nearest fragment of each pixel is. Lecture 5.6.
+//!
+//! ```text
+//!   span  ────────────────▶   depth test   ──▶ ████    ██████  the parts that are seen, spans again
+//!   depth  ╱╱╱╱╱╱╱╱╱╱╱╱╱╱
+//! ```
+//!
+//! Depths are linear in 1/w, so that they are linear along a span and near things get the finer steps.
 
 use core::ops::Range;
 
 use crate::{
     error::describe,
-    num::{count, index},
+    hidden::Hidden,
+    num::{FRACTION_16_15, count, count_i32, from_16_15, index, low_u8},
     space::Rect,
+    vary::Ramp,
 };
 
-/// A depth for every pixel of a window, in memory of the caller's: 0 is the farthest.
+/// What a depth is kept in: 8, 16 or 32 bits.
+pub trait Depth: Copy {
+    /// Behind everything.
+    const FARTHEST: Self;
+
+    /// Of a depth as it is carried over a triangle, in 31 bits.
+    fn from_fine(fine: u32) -> Self;
+}
+
+/// 256 depths: enough for solids that stand apart.
+impl Depth for u8 {
+    const FARTHEST: Self = 0;
+
+    #[inline]
+    fn from_fine(fine: u32) -> Self {
+        low_u8(fine >> (FRACTION_16_15 + 8))
+    }
+}
+
+/// 65,536 depths, the default: at a distance of `d` times the near plane, surfaces are told apart that are `d²`/65,536
+/// of the near distance from each other.
+impl Depth for u16 {
+    const FARTHEST: Self = 0;
+
+    #[inline]
+    fn from_fine(fine: u32) -> Self {
+        from_16_15(fine)
+    }
+}
+
+/// All that is computed: 24 bits at the corners, and what lies between.
+impl Depth for u32 {
+    const FARTHEST: Self = 0;
+
+    #[inline]
+    fn from_fine(fine: u32) -> Self {
+        fine
+    }
+}
+
+/// Which fragments pass, by what is stored at their pixel.
+pub trait DepthFunction: Copy {
+    /// Whether a fragment at `depth` is seen where `stored` is the depth so far; greater is nearer.
+    fn passes<D: Depth + Ord>(self, stored: D, depth: D) -> bool;
+}
+
+/// Nearer than what is stored. Strict, so that of two surfaces at the same depth the one drawn first stays.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Nearer;
+
+impl DepthFunction for Nearer {
+    #[inline]
+    fn passes<D: Depth + Ord>(self, stored: D, depth: D) -> bool {
+        depth > stored
+    }
+}
+
+/// The usual tests, chosen while the program runs.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum DepthTest {
+    /// No fragment passes.
+    Never,
+    /// Nearer ones.
+    #[default]
+    Nearer,
+    /// Those at the same depth, too: for a second pass over the same mesh.
+    NotFarther,
+    /// Only those at the same depth.
+    Equal,
+    /// Only those at another depth.
+    NotEqual,
+    /// Farther ones: what is hidden.
+    Farther,
+    /// Farther ones and those at the same depth.
+    NotNearer,
+    /// Every fragment.
+    Always,
+}
+
+impl DepthFunction for DepthTest {
+    #[inline]
+    fn passes<D: Depth + Ord>(self, stored: D, depth: D) -> bool {
+        match self {
+            Self::Never => false,
+            Self::Nearer => depth > stored,
+            Self::NotFarther => depth >= stored,
+            Self::Equal => depth == stored,
+            Self::NotEqual => depth != stored,
+            Self::Farther => depth < stored,
+            Self::NotNearer => depth <= stored,
+            Self::Always => true,
+        }
+    }
+}
+
+/// A depth for every pixel of a window, in memory of the caller's; the window is a frame or a band of it.
 ///
-/// Depths are those of [`Viewport::project`](crate::geometry::viewport::Viewport::project): linear
-/// in 1/w, so that they are linear along a span and near things get the finer steps.
+/// ```
+/// use aquatint::{Rect, hidden::depth::{DepthBuffer, DepthTest}};
+///
+/// // Eight bits a pixel, the usual test.
+/// let mut bytes = [0_u8; 64 * 8];
+/// let buffer = DepthBuffer::new(&mut bytes, Rect::new(0, 0, 64, 8))?;
+/// // Only what is already there, and nothing new is remembered.
+/// let again = buffer.with_test(DepthTest::Equal).without_writing();
+/// # let _ = again;
+/// # Ok::<(), aquatint::hidden::depth::TooFewDepths>(())
+/// ```
 #[derive(Debug)]
-pub struct DepthBuffer<'b> {
-    depths: &'b mut [u16],
+pub struct DepthBuffer<'b, D = u16, F = Nearer> {
+    depths: &'b mut [D],
     window: Rect,
+    function: F,
+    is_written: bool,
 }
 
 /// Fewer depths than the window has pixels.
@@ -27,16 +142,31 @@ pub struct TooFewDepths {
 
 describe! { TooFewDepths, Self { needed } => "{needed} depths are needed"; }
 
-impl<'b> DepthBuffer<'b> {
+impl<'b, D: Depth> DepthBuffer<'b, D> {
     /// A buffer for the pixels of `window`, all at the farthest.
     ///
     /// # Errors
     /// [`TooFewDepths`] when there is not one for each pixel.
-    pub fn new(depths: &'b mut [u16], window: Rect) -> Result<Self, TooFewDepths> {
+    pub fn new(depths: &'b mut [D], window: Rect) -> Result<Self, TooFewDepths> {
         let needed = count(u64::from(window.width()) * u64::from(window.height()));
         let depths = depths.get_mut(..needed).ok_or(TooFewDepths { needed })?;
-        depths.fill(0);
-        Ok(Self { depths, window })
+        depths.fill(D::FARTHEST);
+        Ok(Self { depths, window, function: Nearer, is_written: true })
+    }
+}
+
+impl<'b, D: Depth, F> DepthBuffer<'b, D, F> {
+    /// The same with another test.
+    #[must_use]
+    pub fn with_test<G: DepthFunction>(self, function: G) -> DepthBuffer<'b, D, G> {
+        DepthBuffer { depths: self.depths, window: self.window, function, is_written: self.is_written }
+    }
+
+    /// The same, but what passes is not remembered: for what is translucent, and for second passes.
+    #[must_use]
+    pub const fn without_writing(mut self) -> Self {
+        self.is_written = false;
+        self
     }
 
     /// The pixels that have a depth.
@@ -47,29 +177,83 @@ impl<'b> DepthBuffer<'b> {
 
     /// Puts all pixels at the farthest again.
     pub fn clear(&mut self) {
-        self.depths.fill(0);
+        self.depths.fill(D::FARTHEST);
     }
 
     /// The depths of a run of pixels; `None` when some of them lie outside of the window.
-    pub fn run(&mut self, row: i32, columns: Range<i32>) -> Option<&mut [u16]> {
-        let inside = self.window.clip_run(row, columns.clone())? == columns;
-        let width = usize::try_from(self.window.width()).ok()?;
-        let first = index(row.wrapping_sub(self.window.top)).checked_mul(width)?;
-        let from = |column: i32| first.checked_add(index(column.wrapping_sub(self.window.left)));
-        self.depths.get_mut(from(columns.start)?..from(columns.end)?).filter(|_| inside)
+    #[inline]
+    pub fn run(&mut self, row: i32, columns: Range<i32>) -> Option<&mut [D]> {
+        let Rect { left, top, right, bottom } = self.window;
+        if row < top || row >= bottom || columns.start < left || columns.end > right {
+            return None;
+        }
+        let width = index(right.wrapping_sub(left));
+        let start =
+            index(row.wrapping_sub(top)).wrapping_mul(width).wrapping_add(index(columns.start.wrapping_sub(left)));
+        self.depths.get_mut(start..)?.get_mut(..index(columns.end.wrapping_sub(columns.start)))
     }
 }
 
-/// The depth test: whether a fragment is nearer than what is stored, and if so stores it.
-///
-/// Strict, so that of two surfaces at the same depth the one drawn first stays.
-#[inline]
-pub fn is_nearer(stored: &mut u16, depth: u16) -> bool {
-    let nearer = depth > *stored;
-    if nearer {
-        *stored = depth;
+impl<D: Depth + Ord, F: DepthFunction> Hidden for DepthBuffer<'_, D, F> {
+    const USES_DEPTH: bool = true;
+
+    fn bounds(&self) -> Rect {
+        self.window
     }
-    nearer
+
+    #[inline]
+    fn split<E>(
+        &mut self,
+        row: i32,
+        columns: Range<i32>,
+        mut depth: Ramp<1>,
+        mut seen: impl FnMut(Range<i32>) -> Result<(), E>,
+    ) -> Result<(), E> {
+        let (function, is_written) = (self.function, self.is_written);
+        let Some(stored) = self.run(row, columns.clone()) else { return Ok(()) };
+        let mut passes = |stored: &mut D| {
+            let [fine] = depth.next_fine();
+            let depth = D::from_fine(fine);
+            let passes = function.passes(*stored, depth);
+            if passes && is_written {
+                *stored = depth;
+            }
+            passes
+        };
+        let mut left = stored.iter_mut();
+        while let Some(stored) = left.next() {
+            if passes(stored) {
+                let start = columns.end.wrapping_sub(count_i32(left.len())).wrapping_sub(1);
+                // The first that does not pass ends the part.
+                let end = if left.any(|stored| !passes(stored)) { count_i32(left.len()).wrapping_add(1) } else { 0 };
+                seen(start..columns.end.wrapping_sub(end))?;
+            }
+        }
+        Ok(())
+    }
+
+    #[inline]
+    fn filter<C>(
+        &mut self,
+        row: i32,
+        columns: Range<i32>,
+        mut depth: Ramp<1>,
+        colors: impl Iterator<Item = Option<C>>,
+    ) -> impl Iterator<Item = Option<C>> {
+        let (function, is_written) = (self.function, self.is_written);
+        let stored = self.run(row, columns).unwrap_or_default();
+        stored.iter_mut().zip(colors).map(move |(stored, color)| {
+            let [fine] = depth.next_fine();
+            let (depth, color) = (D::from_fine(fine), color?);
+            if !function.passes(*stored, depth) {
+                return None;
+            }
+            if is_written {
+                *stored = depth;
+            }
+            Some(color)
+        })
+    }
 }
 
 #[cfg(test)]
@@ -79,7 +263,7 @@ mod tests {
     #[test]
     fn runs_address_the_window() {
         let mut memory = [9; 7];
-        let mut buffer = DepthBuffer::new(&mut memory, Rect::new(10, 5, 13, 7)).unwrap();
+        let mut buffer = DepthBuffer::<u16>::new(&mut memory, Rect::new(10, 5, 13, 7)).unwrap();
         buffer.run(6, 11..13).unwrap().fill(1);
         assert_eq!(buffer.run(5, 10..13).unwrap(), [0, 0, 0]);
         assert_eq!(buffer.run(6, 10..13).unwrap(), [0, 1, 1]);
@@ -91,15 +275,52 @@ mod tests {
 
     #[test]
     fn a_buffer_too_small_says_what_it_needs() {
-        assert_eq!(DepthBuffer::new(&mut [0; 5], Rect::new(0, 0, 2, 3)).unwrap_err(), TooFewDepths { needed: 6 });
+        assert_eq!(
+            DepthBuffer::<u16>::new(&mut [0; 5], Rect::new(0, 0, 2, 3)).unwrap_err(),
+            TooFewDepths { needed: 6 }
+        );
         let endless = Rect::new(i32::MIN, i32::MIN, i32::MAX, i32::MAX);
-        assert!(DepthBuffer::new(&mut [0; 5], endless).is_err());
+        assert!(DepthBuffer::<u8>::new(&mut [0; 5], endless).is_err());
+    }
+
+    /// The parts of a row of stored depths that are seen at a constant depth of 5, and what is stored then.
+    fn seen<F: DepthFunction>(function: F) -> (Vec<Range<i32>>, [u16; 6]) {
+        let mut memory = [0; 6];
+        let mut buffer = DepthBuffer::new(&mut memory, Rect::new(0, 0, 6, 1)).unwrap().with_test(function);
+        buffer.run(0, 0..6).unwrap().copy_from_slice(&[4, 5, 6, 6, 4, 4]);
+        let mut parts = Vec::new();
+        let level = Ramp::new([5 << FRACTION_16_15], [0]);
+        let take = |part| {
+            parts.push(part);
+            Ok::<(), ()>(())
+        };
+        buffer.split(0, 0..6, level.clone(), take).unwrap();
+        let by_parts = memory;
+        memory = [0; 6];
+        let mut buffer = DepthBuffer::new(&mut memory, Rect::new(0, 0, 6, 1)).unwrap().with_test(function);
+        buffer.run(0, 0..6).unwrap().copy_from_slice(&[4, 5, 6, 6, 4, 4]);
+        let passed: Vec<_> = buffer.filter(0, 0..6, level, (0..6).map(Some)).flatten().collect();
+        assert_eq!(passed, parts.iter().cloned().flatten().collect::<Vec<_>>(), "both ways agree");
+        assert_eq!(memory, by_parts);
+        (parts, memory)
     }
 
     #[test]
-    fn the_first_of_two_equals_stays() {
-        let mut stored = 5;
-        assert!(!is_nearer(&mut stored, 5) && !is_nearer(&mut stored, 4) && is_nearer(&mut stored, 6));
-        assert_eq!(stored, 6);
+    fn every_test_lets_pass_what_it_says() {
+        assert_eq!(seen(Nearer), (vec![0..1, 4..6], [5, 5, 6, 6, 5, 5]));
+        assert_eq!(seen(DepthTest::Nearer), seen(Nearer));
+        assert_eq!(seen(DepthTest::Never), (vec![], [4, 5, 6, 6, 4, 4]));
+        assert_eq!(seen(DepthTest::NotFarther), (vec![0..2, 4..6], [5, 5, 6, 6, 5, 5]));
+        assert_eq!(seen(DepthTest::Equal), (vec![1..2], [4, 5, 6, 6, 4, 4]));
+        assert_eq!(seen(DepthTest::NotEqual), (vec![0..1, 2..6], [5; 6]));
+        assert_eq!(seen(DepthTest::Farther), (vec![2..4], [4, 5, 5, 5, 4, 4]));
+        assert_eq!(seen(DepthTest::NotNearer), (vec![1..4], [4, 5, 5, 5, 4, 4]));
+        assert_eq!(seen(DepthTest::Always), (vec![0..6], [5; 6]));
+    }
+
+    #[test]
+    fn depths_are_the_upper_bits() {
+        let fine = (0x1234 << FRACTION_16_15) + 77;
+        assert_eq!((u8::from_fine(fine), u16::from_fine(fine), u32::from_fine(fine)), (0x12, 0x1234, fine));
     }
 }

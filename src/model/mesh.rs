@@ -84,6 +84,24 @@ impl<'a> Mesh<'a> {
         self.normals
     }
 
+    /// Texture coordinates.
+    #[must_use]
+    pub const fn uv(&self) -> Option<&'a [[i16; 2]]> {
+        None
+    }
+
+    /// Colours.
+    #[must_use]
+    pub const fn lights(&self) -> Option<&'a [crate::colour::Light]> {
+        None
+    }
+
+    /// Normals of faces.
+    #[must_use]
+    pub const fn face_normals(&self) -> Option<&'a [[i8; 3]]> {
+        None
+    }
+
     /// Three vertices a triangle, each a valid index.
     #[must_use]
     pub const fn triangles(&self) -> &'a [[u16; 3]] {

@@ -35,6 +35,7 @@ mod draw;
 mod frames;
 mod instants;
 mod noise;
+mod ramp;
 mod rank;
 
 pub use blue_noise::{BLUE_NOISE_16, BLUE_NOISE_64};
@@ -53,9 +54,10 @@ use embedded_graphics::{geometry::Point, image::GetPixel};
 use crate::{
     colour::Light,
     display::level::{Levels, Shades},
-    num::index,
+    num::{bits, index},
     space::Rect,
     target::{Code, Target, eight, phase, repeated},
+    vary::Ramp,
 };
 use rank::Cells;
 
@@ -265,6 +267,12 @@ where
             .zip(self.mask.row(row, visible.start))
             .map(move |(light, threshold)| light.map(|light| T::Color::from_code(shades.code(light, threshold))));
         self.target.write_run(row, visible, codes)
+    }
+
+    fn fill_ramp(&mut self, row: i32, columns: Range<i32>, light: Ramp<1>) -> Result<(), T::Error> {
+        let Some(visible) = self.target.bounds().clip_run(row, columns.clone()) else { return Ok(()) };
+        let hidden = bits(visible.start.wrapping_sub(columns.start));
+        self.draw_ramp(row, visible, light.skipped(hidden))
     }
 }
 

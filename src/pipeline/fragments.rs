@@ -1,0 +1,182 @@
+//! Fragment processing: what happens to the spans of one triangle.
+
+use core::ops::Range;
+
+use super::{surface::Surface, vertex::MeshVertex};
+use crate::{
+    fragment::shade::{Corner, Facet, Placed, Shading},
+    geometry::face::Side,
+    hidden::Hidden,
+    illumination::Illumination,
+    num::{Scalar, low_i32},
+    raster::triangle::spans,
+    space::{Point2, Rect},
+    span::Sink,
+    target::Target,
+    vary::{Plane, Ramp, Slopes},
+};
+
+/// How much nearer to the eye than it is a surface is taken to be: for lines and decals on others.
+///
+/// The depth test then sees it in front of what it lies on. Both parts are in units of a 16-bit depth buffer:
+/// what is always added, and what is added for each unit that the depth changes from a pixel to the next, which
+/// steep surfaces need. Negative numbers push away.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct DepthBias {
+    /// Added everywhere.
+    pub constant: i16,
+    /// Times the steepness.
+    pub slope: i8,
+}
+
+impl DepthBias {
+    /// None.
+    pub const NONE: Self = Self { constant: 0, slope: 0 };
+
+    /// Depths of 31 bits, moved; they stay in range.
+    pub(super) fn moved(self, depths: [u32; 3], steepness: u32) -> [u32; 3] {
+        let bias = (i64::from(self.constant) << 15) + i64::from(self.slope) * i64::from(steepness);
+        depths.map(|depth| low_i32((i64::from(depth) + bias).clamp(0, 0x7FFF_FF80)).cast_unsigned())
+    }
+}
+
+/// A triangle of the mesh.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct MeshTriangle {
+    /// Its number, by which its normal is found.
+    pub(super) face: usize,
+    pub(super) corners: [u16; 3],
+    pub(super) side: Side,
+}
+
+/// A triangle on the screen: one of the mesh, or a piece of one that clipping has left.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Piece<A> {
+    pub(super) positions: [Point2; 3],
+    /// In 31 bits.
+    pub(super) depths: [u32; 3],
+    /// Distances from the eye and what is carried, if clipping has made the corners.
+    pub(super) clipped: Option<[(Scalar, A); 3]>,
+}
+
+impl<A> Piece<A> {
+    #[inline]
+    pub(super) fn of_vertices(vertices: &[MeshVertex; 3]) -> Self {
+        let [a, b, c] = vertices;
+        Self {
+            positions: [a.position(), b.position(), c.position()],
+            depths: [a.depth(), b.depth(), c.depth()],
+            clipped: None,
+        }
+    }
+}
+
+/// Where fragments go, and what decides about them.
+pub(super) struct Fragments<'f, H, T> {
+    pub(super) hidden: &'f mut H,
+    pub(super) target: &'f mut T,
+    pub(super) bounds: Rect,
+}
+
+impl<H: Hidden, T: Target> Fragments<'_, H, T> {
+    /// Draws one triangle, whichever side it shows.
+    #[inline]
+    pub(super) fn draw<S: Shading<Color = T::Color>, I: Illumination>(
+        &mut self,
+        surface: &Surface<'_, S, I>,
+        triangle: &MeshTriangle,
+        piece: &Piece<S::Attributes>,
+    ) -> Result<(), T::Error> {
+        spans(&piece.positions, &mut Painter { fragments: self, surface, triangle, piece, begun: None })
+    }
+}
+
+/// What is computed of a triangle when the first of its pixels is seen.
+struct Begun<F> {
+    face: F,
+    depth: Plane<1>,
+}
+
+/// One triangle on its way to the target.
+struct Painter<'p, 'f, S: Shading, I, H, T> {
+    fragments: &'p mut Fragments<'f, H, T>,
+    surface: &'p Surface<'p, S, I>,
+    triangle: &'p MeshTriangle,
+    piece: &'p Piece<S::Attributes>,
+    begun: Option<Begun<S::Face>>,
+}
+
+impl<S: Shading, I: Illumination, H: Hidden, T> Painter<'_, '_, S, I, H, T> {
+    /// Most small triangles end before this, because they hold no pixel's centre.
+    fn begin(surface: &Surface<'_, S, I>, triangle: &MeshTriangle, piece: &Piece<S::Attributes>) -> Begun<S::Face> {
+        let corners = surface.corners(triangle);
+        let slopes = Slopes::new(&piece.positions);
+        let placed = place(surface, triangle, piece, &corners);
+        let facet = Facet {
+            corners: &corners,
+            normal: surface.face_normal(triangle),
+            placed: &placed,
+            slopes: &slopes,
+        };
+        let face = surface.shading.face(&surface.light, &facet);
+        let depth = if H::USES_DEPTH { depth_plane(surface.bias, &slopes, piece.depths) } else { Plane::LEVEL };
+        Begun { face, depth }
+    }
+}
+
+/// The corners with what they carry.
+#[inline]
+fn place<S: Shading, I: Illumination>(
+    surface: &Surface<'_, S, I>,
+    triangle: &MeshTriangle,
+    piece: &Piece<S::Attributes>,
+    corners: &[Corner; 3],
+) -> [Placed<S::Attributes>; 3] {
+    let [a, b, c] = piece.positions;
+    let [p, q, r] = piece.clipped.unwrap_or_else(|| {
+        let [i, j, k] = triangle.corners;
+        let [p, q, r] = corners;
+        [(i, p), (j, q), (k, r)].map(|(index, corner)| (surface.w(index), surface.shading.corner(corner)))
+    });
+    [(a, p), (b, q), (c, r)].map(|(position, (w, attributes))| Placed { position, w, attributes })
+}
+
+#[inline]
+fn depth_plane(bias: DepthBias, slopes: &Slopes, depths: [u32; 3]) -> Plane<1> {
+    let plane = slopes.plane(&depths.map(|depth| [depth]));
+    if bias == DepthBias::NONE {
+        return plane;
+    }
+    slopes.plane(&bias.moved(depths, plane.steepest()).map(|depth| [depth]))
+}
+
+impl<S, I, H, T> Sink for Painter<'_, '_, S, I, H, T>
+where
+    S: Shading,
+    I: Illumination,
+    H: Hidden,
+    T: Target<Color = S::Color>,
+{
+    type Error = T::Error;
+
+    #[inline]
+    fn bounds(&self) -> Rect {
+        self.fragments.bounds
+    }
+
+    #[inline]
+    fn span(&mut self, row: i32, columns: Range<i32>, (): ()) -> Result<(), T::Error> {
+        let Surface { shading, light, .. } = self.surface;
+        let Begun { face, depth } =
+            self.begun.get_or_insert_with(|| Self::begin(self.surface, self.triangle, self.piece));
+        let Fragments { hidden, target, .. } = &mut *self.fragments;
+        let depth: Ramp<1> = if H::USES_DEPTH { depth.at(row, columns.start) } else { Ramp::new([0], [0]) };
+        if S::DROPS {
+            let colors = shading.colors(light, face, (row, columns.start));
+            let colors = hidden.filter(row, columns.clone(), depth, colors);
+            target.write_run(row, columns, colors)
+        } else {
+            hidden.split(row, columns, depth, |part| shading.paint(light, face, (row, part), *target))
+        }
+    }
+}

@@ -1,0 +1,101 @@
+//! Vertex processing: a mesh that has been transformed and lit.
+
+use super::vertex::MeshVertex;
+use crate::{
+    colour::Light,
+    fragment::shade::{Corner, Shading},
+    geometry::{
+        face::{Faces, Side},
+        transform::MeshTransform,
+        viewport::Viewport,
+    },
+    illumination::Illumination,
+    model::mesh::Mesh,
+    num::Scalar,
+    clip::volume,
+    pipeline::fragments::{DepthBias, MeshTriangle},
+};
+
+/// A mesh on its way to the screen.
+pub(super) struct Surface<'s, S, I> {
+    pub(super) mesh: Mesh<'s>,
+    pub(super) shading: &'s S,
+    pub(super) light: I,
+    pub(super) transform: MeshTransform,
+    pub(super) viewport: Viewport,
+    pub(super) faces: Faces,
+    pub(super) bias: DepthBias,
+    /// After [`process_vertices`](Self::process_vertices).
+    pub(super) vertices: &'s [MeshVertex],
+}
+
+impl<S: Shading, I: Illumination> Surface<'_, S, I> {
+    /// Vertex transform and lighting, once for each vertex.
+    pub(super) fn process_vertices(&self, vertices: &mut [MeshVertex]) {
+        for ((vertex, &position), &normal) in vertices.iter_mut().zip(self.mesh.positions()).zip(self.mesh.normals()) {
+            let point = self.transform.apply(position);
+            *vertex = if volume::outcode(&point) == 0 {
+                MeshVertex::new(self.viewport.project(&point))
+            } else {
+                MeshVertex::UNPROJECTED
+            };
+            if S::NEEDS_LIGHT && self.faces != Faces::Back {
+                vertex.front = self.light.on_vertex(position, normal);
+            }
+            if S::NEEDS_LIGHT && self.faces != Faces::Front {
+                vertex.back = self.light.on_vertex(position, turned(normal));
+            }
+        }
+    }
+
+    /// One of the vertices.
+    #[inline]
+    pub(super) fn vertex(&self, index: u16) -> MeshVertex {
+        self.vertices.get(usize::from(index)).copied().unwrap_or_default()
+    }
+
+    /// Where a vertex is in the object's own space.
+    #[inline]
+    pub(super) fn position(&self, index: u16) -> [i16; 3] {
+        self.mesh.positions().get(usize::from(index)).copied().unwrap_or_default()
+    }
+
+    /// Its distance in front of the eye, if anybody asks.
+    #[inline]
+    pub(super) fn w(&self, index: u16) -> Scalar {
+        if S::NEEDS_W { self.transform.apply_w(self.position(index)) } else { Scalar::ZERO }
+    }
+
+    /// The normal of a whole triangle, towards the eye.
+    #[inline]
+    pub(super) fn face_normal(&self, triangle: &MeshTriangle) -> Option<[i8; 3]> {
+        let normal = self.mesh.face_normals()?.get(triangle.face).copied()?;
+        Some(if triangle.side == Side::Back { turned(normal) } else { normal })
+    }
+
+    /// What shading may know of the corners.
+    #[inline]
+    pub(super) fn corners(&self, triangle: &MeshTriangle) -> [Corner; 3] {
+        triangle.corners.map(|index| self.corner(index, triangle.side))
+    }
+
+    #[inline]
+    fn corner(&self, index: u16, side: Side) -> Corner {
+        let (at, vertex) = (usize::from(index), self.vertex(index));
+        let normal = self.mesh.normals().get(at).copied().unwrap_or_default();
+        Corner {
+            index,
+            position: self.position(index),
+            normal: if side == Side::Back { turned(normal) } else { normal },
+            uv: self.mesh.uv().and_then(|uv| uv.get(at).copied()).unwrap_or_default(),
+            color: self.mesh.lights().and_then(|lights| lights.get(at).copied()).unwrap_or(Light::WHITE),
+            light: if side == Side::Back { vertex.back } else { vertex.front },
+        }
+    }
+}
+
+/// A normal the other way around; −128 becomes 127.
+#[inline]
+fn turned(normal: [i8; 3]) -> [i8; 3] {
+    normal.map(i8::saturating_neg)
+}

@@ -1,0 +1,75 @@
+//! Vertices on their way: as the workspace keeps them, and in clip space.
+
+use crate::{
+    clip::sutherland_hodgman::{Crossing, Cut},
+    colour::Light,
+    geometry::viewport::ScreenPoint,
+    num::{Scalar, bits},
+    space::{Clip, Point2, Point4},
+    vary::Varying,
+};
+
+/// A vertex after transform and light: 12 bytes. Lend the pipeline one for each vertex of a mesh.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct MeshVertex {
+    /// The place across in sixteenths of a pixel, 20 bits, and the upper 12 bits of the depth.
+    across: u32,
+    /// The place down, and the lower 12 bits of the depth.
+    down: u32,
+    /// The light on the front, and on the back if that is drawn, too.
+    pub(super) front: Light,
+    pub(super) back: Light,
+}
+
+impl MeshVertex {
+    /// Something to fill an array with. All its bytes are zero, so that a static array takes no flash.
+    pub const EMPTY: Self = Self { across: 0, down: 0, front: Light::BLACK, back: Light::BLACK };
+
+    /// A vertex that must be clipped first: a place that no projected vertex has, far left of all guard bands.
+    pub(super) const UNPROJECTED: Self = Self { across: 0x8000_0000, down: 0, front: Light::BLACK, back: Light::BLACK };
+
+    #[inline]
+    pub(super) const fn new(point: ScreenPoint) -> Self {
+        let Point2 { x, y } = point.position;
+        Self {
+            across: bits(x.to_bits()) << 12 | point.depth >> 12,
+            down: bits(y.to_bits()) << 12 | point.depth & 0xFFF,
+            front: Light::BLACK,
+            back: Light::BLACK,
+        }
+    }
+
+    #[inline]
+    pub(super) const fn is_projected(&self) -> bool {
+        self.across >> 12 != 0x8_0000
+    }
+
+    #[inline]
+    pub(super) const fn position(&self) -> Point2 {
+        Point2::from_sixteenths(self.across.cast_signed() >> 12, self.down.cast_signed() >> 12)
+    }
+
+    /// The depth in 31 bits, as it is carried over a triangle.
+    #[inline]
+    pub(super) const fn depth(&self) -> u32 {
+        (self.across & 0xFFF) << 19 | (self.down & 0xFFF) << 7
+    }
+}
+
+/// A vertex in clip space.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct ClipVertex<A> {
+    pub(super) point: Point4<Clip>,
+    pub(super) attributes: A,
+}
+
+impl<A: Varying> Cut for ClipVertex<A> {
+    fn cut(inside: Self, outside: Self, crossing: Crossing) -> Self {
+        let scalar = |a: Scalar, b: Scalar| Scalar::from_bits(crossing.coordinate(a.to_bits(), b.to_bits()));
+        let (a, b) = (inside.point, outside.point);
+        Self {
+            point: Point4::new(scalar(a.x, b.x), scalar(a.y, b.y), scalar(a.z, b.z), scalar(a.w, b.w)),
+            attributes: inside.attributes.mixed(outside.attributes, &|a, b| crossing.attribute(a, b)),
+        }
+    }
+}
