@@ -21,7 +21,8 @@ fn main() -> ! {
     // First in the function: the entry macro makes it a mutable reference that only `main` has.
     static mut MEMORY: [u8; items::MEMORY] = [0; items::MEMORY];
     static mut DEPTHS: [u16; 128 * 64] = [0; 128 * 64];
-    static mut VERTICES: [MeshVertex; items::VERTICES] = [MeshVertex::EMPTY; items::VERTICES];
+    static mut VERTICES: [MeshVertex; items::solid_models::VERTICES] =
+        [MeshVertex::EMPTY; items::solid_models::VERTICES];
 
     match option_env!("BENCH_PART") {
         Some("pages") => items::pages(MEMORY, &mut counting::Printer),
@@ -29,7 +30,7 @@ fn main() -> ! {
         Some("grey") => items::grey(MEMORY, &mut counting::Printer),
         Some("solid") => {
             items::solids(
-                items::SolidMemory { bytes: MEMORY, depths: DEPTHS, vertices: VERTICES },
+                items::solid_ours::Memory { bytes: MEMORY, depths: DEPTHS, vertices: VERTICES },
                 &mut counting::Printer,
             );
         }

@@ -15,9 +15,17 @@ mod skia;
 mod soft;
 #[cfg(not(target_os = "none"))]
 mod soft_peers;
-mod solid;
-mod solid_models;
-mod solid_ours;
+pub mod solid;
+#[cfg(not(target_os = "none"))]
+mod solid_3dgfx;
+#[cfg(not(target_os = "none"))]
+mod solid_euc;
+pub mod solid_models;
+pub mod solid_ours;
+#[cfg(not(target_os = "none"))]
+mod solid_peers;
+#[cfg(not(target_os = "none"))]
+mod solid_retrofire;
 
 use aquatint::{Frame, Pages, Rows};
 use embedded_graphics::{
@@ -38,12 +46,6 @@ pub use soft::{LENT, PANEL as SOFT};
 
 /// The longest picture: 400 × 240 at one bit.
 pub const MEMORY: usize = 12_000;
-
-/// The most vertices of a solid.
-#[allow(unused_imports, reason = "the board alone lends them by name")]
-pub use solid_models::VERTICES;
-#[allow(unused_imports, reason = "the board alone lends them by name")]
-pub use solid_ours::Memory as SolidMemory;
 
 /// Who is aquatint, in the results.
 pub const OURS: &str = "aquatint";
@@ -157,7 +159,7 @@ fn soft_peer<S: soft::Soft>(who: &'static str, mut surface: S, visitor: &mut imp
 
 /// What is drawn in three dimensions on the board.
 #[cfg(target_os = "none")]
-pub fn solids(memory: SolidMemory<'_>, visitor: &mut impl Visitor) {
+pub fn solids(memory: solid_ours::Memory<'_>, visitor: &mut impl Visitor) {
     solid::small(memory, visitor);
 }
 

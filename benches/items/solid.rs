@@ -53,7 +53,6 @@ pub trait Engine {
     fn frame(&mut self, solid: Solid, frame: u16);
 
     /// Shows the picture as bits, rows of whole bytes, as we would dither it.
-    #[cfg_attr(target_os = "none", expect(dead_code, reason = "pictures are compared on the desk"))]
     fn picture(&self, look: impl FnOnce(&[u8]));
 
     /// Which pixels have a depth.
@@ -65,6 +64,7 @@ pub trait Engine {
 pub struct Stage<E>(pub E);
 
 impl<E: Engine> Stage<E> {
+    #[expect(clippy::unnecessary_wraps, reason = "an item")]
     fn cycle(&mut self, solid: Solid) -> Result<(), Infallible> {
         (0..black_box(FRAMES)).for_each(|frame| self.0.frame(black_box(solid), frame));
         Ok(())
@@ -105,11 +105,20 @@ pub fn items<'s, E: Engine>() -> &'s [Item<Stage<E>>] {
     &[("cube", |s| s.cycle(Solid::Cube)), ("torus", |s| s.cycle(Solid::Torus))]
 }
 
-/// Shows what an engine draws to `visitor`.
-pub fn engine<E: Engine>((panel, who): (&'static str, &'static str), engine: E, visitor: &mut impl Visitor) {
-    let mut stage = Stage(engine);
-    for &(item, draw) in items() {
-        visitor.visit(Label { item, panel, who, frames: FRAMES }, &mut stage, draw);
+/// Comes to everybody who draws solids, on every panel.
+pub trait Engines {
+    fn engine<E: Engine>(&mut self, panel: &'static str, who: &'static str, engine: E);
+}
+
+/// Shows what they draw to a visitor.
+struct Items<'v, V>(&'v mut V);
+
+impl<V: Visitor> Engines for Items<'_, V> {
+    fn engine<E: Engine>(&mut self, panel: &'static str, who: &'static str, engine: E) {
+        let mut stage = Stage(engine);
+        for &(item, draw) in items() {
+            self.0.visit(Label { item, panel, who, frames: FRAMES }, &mut stage, draw);
+        }
     }
 }
 
@@ -118,23 +127,43 @@ pub fn engine<E: Engine>((panel, who): (&'static str, &'static str), engine: E, 
 pub fn small(memory: Memory<'_>, visitor: &mut impl Visitor) {
     let (panel, size) = SMALL;
     if let Some(ours) = Ours::new(memory, size) {
-        engine((panel, OURS), ours, visitor);
+        Items(visitor).engine(panel, OURS, ours);
     }
 }
 
-/// What we draw on all panels.
+/// What everybody draws on all panels.
 #[cfg(not(target_os = "none"))]
 pub fn all(visitor: &mut impl Visitor) {
+    each(&mut Items(visitor));
+}
+
+/// Everybody on all panels.
+#[cfg(not(target_os = "none"))]
+pub fn each(engines: &mut impl Engines) {
     for panel in [SMALL, ("320x240", Size::new(320, 240)), ("400x240", Size::new(400, 240))] {
-        ours(panel, visitor);
+        ours(panel, engines);
+        peers(panel, engines);
     }
 }
 
 #[cfg(not(target_os = "none"))]
-fn ours((panel, size): Panel, visitor: &mut impl Visitor) {
+fn ours((panel, size): Panel, engines: &mut impl Engines) {
     let pixels = (size.width * size.height) as usize;
     let (mut bytes, mut depths, mut vertices) =
         (vec![0; pixels / 8], vec![0; pixels], vec![MeshVertex::EMPTY; VERTICES]);
     let memory = Memory { bytes: &mut bytes, depths: &mut depths, vertices: &mut vertices };
-    engine((panel, OURS), Ours::new(memory, size).expect("enough memory"), visitor);
+    engines.engine(panel, OURS, Ours::new(memory, size).expect("enough memory"));
+}
+
+/// Each with its usual pixels, and with bits.
+#[cfg(not(target_os = "none"))]
+fn peers((panel, size): Panel, engines: &mut impl Engines) {
+    use super::{solid_3dgfx as gfx, solid_euc as euc, solid_peers::Bits, solid_retrofire as retrofire};
+
+    engines.engine(panel, "embedded-3dgfx", gfx::Embedded3dgfx::<gfx::Words>::new(size));
+    engines.engine(panel, "embedded-3dgfx-1bit", gfx::Embedded3dgfx::<gfx::Packed>::new(size));
+    engines.engine(panel, "euc", euc::Euc::<euc::Bytes>::new(size));
+    engines.engine(panel, "euc-1bit", euc::Euc::<Bits>::new(size));
+    engines.engine(panel, "retrofire", retrofire::Retrofire::<retrofire::Bytes>::new(size));
+    engines.engine(panel, "retrofire-1bit", retrofire::Retrofire::<retrofire::Packed>::new(size));
 }

@@ -1,5 +1,5 @@
 //! The solids, made while compiling: in the 2.14 of our meshes, so that all draw the same vertices.
-#![expect(clippy::cast_possible_truncation, clippy::cast_lossless, reason = "small numbers, rounded while compiling")]
+#![expect(clippy::cast_possible_truncation, reason = "small numbers, rounded while compiling")]
 
 use core::f64::consts::{FRAC_1_SQRT_2, TAU};
 
@@ -127,11 +127,11 @@ const fn sine_and_cosine(turns: f64) -> (f64, f64) {
     let rest = (turns - eighth as f64 / 8.0) * TAU;
     let (mut sin, mut cos, mut term, mut power) = (0.0, 0.0, 1.0, 0);
     while power < 16 {
-        let sign = if power & 2 == 0 { term } else { -term };
-        if power & 1 == 0 {
-            cos += sign
-        } else {
-            sin += sign
+        match power & 3 {
+            0 => cos += term,
+            1 => sin += term,
+            2 => cos -= term,
+            _ => sin -= term,
         }
         power += 1;
         term *= rest / power as f64;
