@@ -13,15 +13,27 @@ mod board;
 mod items;
 
 #[cfg(target_os = "none")]
+use aquatint::pipeline::MeshVertex;
+
+#[cfg(target_os = "none")]
 #[cortex_m_rt::entry]
 fn main() -> ! {
     // First in the function: the entry macro makes it a mutable reference that only `main` has.
     static mut MEMORY: [u8; items::MEMORY] = [0; items::MEMORY];
+    static mut DEPTHS: [u16; 128 * 64] = [0; 128 * 64];
+    static mut VERTICES: [MeshVertex; items::solid_models::VERTICES] =
+        [MeshVertex::EMPTY; items::solid_models::VERTICES];
 
     match option_env!("BENCH_PART") {
         Some("pages") => items::pages(MEMORY, &mut counting::Printer),
         Some("rows") => items::rows(MEMORY, &mut counting::Printer),
         Some("grey") => items::grey(MEMORY, &mut counting::Printer),
+        Some("solid") => {
+            items::solids(
+                items::solid_ours::Memory { bytes: MEMORY, depths: DEPTHS, vertices: VERTICES },
+                &mut counting::Printer,
+            );
+        }
         _ => items::single(MEMORY, &mut counting::Printer),
     }
     board::semihosting::exit(0)
@@ -46,7 +58,7 @@ mod counting {
         fn visit<S: Surface>(&mut self, label: Label, surface: &mut S, draw: Draw<S>) {
             let something = instructions(surface, draw);
             let nothing = instructions(surface, items::nothing);
-            print(label, something.wrapping_sub(nothing));
+            print(label, something.wrapping_sub(nothing) / u32::from(label.frames));
         }
     }
 

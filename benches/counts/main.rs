@@ -6,6 +6,7 @@
 //! `cargo test --benches`, only compares the pictures. The other lines of the file are written by
 //! `.ci/firmware bench`.
 
+mod coverage;
 mod pictures;
 mod results;
 mod valgrind;
@@ -39,7 +40,7 @@ fn main() -> ExitCode {
 
 /// Compares, and then counts if it `is_benchmark`.
 fn run(is_benchmark: bool, filter: Option<&str>) -> Result<(), String> {
-    println!("{}", pictures::compare()?);
+    println!("{}\n{}", pictures::compare()?, coverage::compare()?);
     if !is_benchmark {
         return Ok(());
     }

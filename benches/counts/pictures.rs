@@ -11,6 +11,8 @@ enum Difference {
     None,
     /// The peer draws our pixels and others, for a reason.
     More,
+    /// Less than one bit in this many, for a reason.
+    OneIn(usize),
     /// No byte by more than this, for a reason.
     Bytes(u8),
 }
@@ -25,6 +27,9 @@ fn difference(Label { item, who, .. }: Label) -> Difference {
         // aquatint fills the pixels whose centres are inside (the top-left rule, so that neighbours
         // share no pixel); embedded-graphics also draws the outline, in pixels half outside. The whole
         // picture has the same triangle in it.
+        // Light is rounded to 8 bits, or to 5 and 6; edges and triangles of embedded-3dgfx are off by up to a pixel.
+        "cube" | "torus" if who.starts_with("embedded-3dgfx") => Difference::OneIn(20),
+        "cube" | "torus" => Difference::OneIn(200),
         "tri_fill" | "tri_fill_x16" | "one_frame" => Difference::More,
         _ => Difference::None,
     }
@@ -71,6 +76,7 @@ impl Pictures {
         let agree = match difference(label) {
             Difference::None => missing + more == 0,
             Difference::More => missing == 0,
+            Difference::OneIn(bits) => (missing + more) as usize * bits < 8 * picture.len(),
             Difference::Bytes(most) => farthest <= Some(most),
         };
         let counts = format!("{missing} bits missing, {more} more than aquatint's, bytes off by {farthest:?}");

@@ -13,18 +13,23 @@ pub const FILE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/benches/results.tsv
 /// What this platform is called in the file.
 const PLATFORM: &str = "host";
 
-/// A line for each item: our count, the peer's, and how many times ours that is.
+/// A line for each item: our count, the peer's, and how many times ours that is. Further peers have lines of their own.
 pub fn table(counts: &[(Label, u64)]) -> String {
     let mut ours: Vec<_> = counts.iter().filter(|(label, _)| label.who == OURS).collect();
     ours.sort_by_key(|(label, _)| (label.panel, label.item));
     let mut table = format!("{:20} {OURS:>10} {:>10} {:>8}\n", "instructions", "peer", "ratio");
     for &(label, count) in ours {
         let is_peer = |other: Label| other.who != OURS && (other.item, other.panel) == (label.item, label.panel);
+        let mut peers: Vec<_> = counts.iter().filter(|(other, _)| is_peer(*other)).collect();
+        peers.sort_by_key(|(peer, _)| peer.who);
         let _ = write!(table, "{:20} {count:>10}", name(label));
-        let _ = match counts.iter().find(|(other, _)| is_peer(*other)) {
-            Some(&(peer, theirs)) => writeln!(table, " {theirs:>10} {:>8} {}", ratio(theirs, count), peer.who),
-            None => writeln!(table),
-        };
+        if peers.is_empty() {
+            table.push('\n');
+        }
+        for (line, (peer, theirs)) in peers.into_iter().enumerate() {
+            let indent = if line == 0 { 0 } else { 31 };
+            let _ = writeln!(table, "{:indent$} {theirs:>10} {:>8} {}", "", ratio(*theirs, count), peer.who);
+        }
     }
     table
 }

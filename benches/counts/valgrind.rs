@@ -64,10 +64,11 @@ pub fn count(labels: &[Label]) -> Result<Vec<(Label, u64)>, String> {
     counts.into_inner().expect("no thread panics with the lock").into_iter().collect()
 }
 
-/// What drawing the item takes more than drawing nothing.
+/// What drawing the item takes more than drawing nothing, for one of its frames.
 fn difference(label: Label) -> Result<u64, String> {
     let (something, nothing) = (total(label, "1")?, total(label, "0")?);
-    something.checked_sub(nothing).ok_or_else(|| format!("{label:?}: less than nothing"))
+    let all = something.checked_sub(nothing).ok_or_else(|| format!("{label:?}: less than nothing"))?;
+    Ok(all / u64::from(label.frames))
 }
 
 /// All instructions of a process that draws the item, or nothing.

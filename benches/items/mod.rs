@@ -15,6 +15,17 @@ mod skia;
 mod soft;
 #[cfg(not(target_os = "none"))]
 mod soft_peers;
+pub mod solid;
+#[cfg(not(target_os = "none"))]
+mod solid_3dgfx;
+#[cfg(not(target_os = "none"))]
+mod solid_euc;
+pub mod solid_models;
+pub mod solid_ours;
+#[cfg(not(target_os = "none"))]
+mod solid_peers;
+#[cfg(not(target_os = "none"))]
+mod solid_retrofire;
 
 use aquatint::{Frame, Pages, Rows};
 use embedded_graphics::{
@@ -47,6 +58,15 @@ pub struct Label {
     pub item: &'static str,
     pub panel: &'static str,
     pub who: &'static str,
+    /// How many pictures one draw makes one after the other; counts are for one of them.
+    pub frames: u16,
+}
+
+impl Label {
+    /// Of an item that draws one picture.
+    const fn new(item: &'static str, panel: &'static str, who: &'static str) -> Self {
+        Self { item, panel, who, frames: 1 }
+    }
 }
 
 /// Draws an item on a surface.
@@ -81,6 +101,7 @@ pub fn all(memory: &mut [u8; MEMORY], visitor: &mut impl Visitor) {
     single(memory, visitor);
     written(memory, visitor);
     desk(visitor);
+    solid::all(visitor);
 }
 
 /// What is measured on pages. The parts are apart because the board of the firmware has not enough flash for all.
@@ -109,13 +130,13 @@ pub fn grey(memory: &mut [u8; MEMORY], visitor: &mut impl Visitor) {
 fn desk(visitor: &mut impl Visitor) {
     let mut surface = skia::TinySkia::new();
     for &(item, draw) in scene::polygons() {
-        visitor.visit(Label { item, panel: "h128", who: "tiny-skia" }, &mut surface, draw);
+        visitor.visit(Label::new(item, "h128", "tiny-skia"), &mut surface, draw);
     }
     soft_peer("tiny-skia", soft_peers::TinySkia::new(), visitor);
     soft_peer("zeno", soft_peers::Zeno::new(), visitor);
     soft_peer("ab_glyph_rasterizer", soft_peers::AbGlyph::new(), visitor);
     for &(item, draw) in soft::words() {
-        let label = Label { item, panel: soft::PANEL, who: "ab_glyph_rasterizer" };
+        let label = Label::new(item, soft::PANEL, "ab_glyph_rasterizer");
         visitor.visit(label, &mut soft_peers::AbGlyph::new(), draw);
     }
 }
@@ -125,15 +146,21 @@ fn desk(visitor: &mut impl Visitor) {
 fn written(memory: &mut [u8; MEMORY], visitor: &mut impl Visitor) {
     let Some(mut mask) = soft::Alpha::new(memory) else { return };
     for &(item, draw) in soft::words() {
-        visitor.visit(Label { item, panel: soft::PANEL, who: OURS }, &mut mask, draw);
+        visitor.visit(Label::new(item, soft::PANEL, OURS), &mut mask, draw);
     }
 }
 
 #[cfg(not(target_os = "none"))]
 fn soft_peer<S: soft::Soft>(who: &'static str, mut surface: S, visitor: &mut impl Visitor) {
     for &(item, draw) in soft::items() {
-        visitor.visit(Label { item, panel: soft::PANEL, who }, &mut surface, draw);
+        visitor.visit(Label::new(item, soft::PANEL, who), &mut surface, draw);
     }
+}
+
+/// What is drawn in three dimensions on the board.
+#[cfg(target_os = "none")]
+pub fn solids(memory: solid_ours::Memory<'_>, visitor: &mut impl Visitor) {
+    solid::small(memory, visitor);
 }
 
 /// What is done to bytes, not to a surface, and what one panel is enough for.
@@ -142,13 +169,13 @@ pub fn single(memory: &mut [u8; MEMORY], visitor: &mut impl Visitor) {
         return;
     };
     let mut frame = Ours { target, sheet: &sheet };
-    visitor.visit(Label { item: "transpose", panel: "h128", who: OURS }, &mut frame, scene::transpose);
+    visitor.visit(Label::new("transpose", "h128", OURS), &mut frame, scene::transpose);
     for &(item, draw) in scene::outlines().iter().chain(scene::photographs()) {
-        visitor.visit(Label { item, panel: "h128", who: OURS }, &mut frame, draw);
+        visitor.visit(Label::new(item, "h128", OURS), &mut frame, draw);
     }
     let Some(mut mask) = soft::Alpha::new(memory) else { return };
     for &(item, draw) in soft::items() {
-        visitor.visit(Label { item, panel: soft::PANEL, who: OURS }, &mut mask, draw);
+        visitor.visit(Label::new(item, soft::PANEL, OURS), &mut mask, draw);
     }
 }
 
@@ -168,10 +195,10 @@ where
     };
     let mut frame = Ours { target, sheet: &sheet };
     for &(item, draw) in scene::both().iter().chain(scene::alone()) {
-        visitor.visit(Label { item, panel: name, who: OURS }, &mut frame, draw);
+        visitor.visit(Label::new(item, name, OURS), &mut frame, draw);
     }
     let mut bands = Bands::<C, L>::new(memory, (width, height), &sheet);
-    visitor.visit(Label { item: "eight_bands", panel: name, who: OURS }, &mut bands, Bands::draw);
+    visitor.visit(Label::new("eight_bands", name, OURS), &mut bands, Bands::draw);
 }
 
 /// Shows the items that a peer can draw, on a surface of its own.
@@ -179,6 +206,6 @@ where
 fn peer<S: Surface>(panel: &'static str, who: &'static str, surface: impl FnOnce() -> S, visitor: &mut impl Visitor) {
     let mut surface = surface();
     for &(item, draw) in scene::both() {
-        visitor.visit(Label { item, panel, who }, &mut surface, draw);
+        visitor.visit(Label::new(item, panel, who), &mut surface, draw);
     }
 }

@@ -1,0 +1,150 @@
+//! The solids, made while compiling: in the 2.14 of our meshes, so that all draw the same vertices.
+#![expect(clippy::cast_possible_truncation, reason = "small numbers, rounded while compiling")]
+
+use core::f64::consts::{FRAC_1_SQRT_2, TAU};
+
+/// What is drawn.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Solid {
+    /// Edge 2, eight shared vertices, 12 triangles, normals along the diagonals.
+    Cube,
+    /// 28 × 18 segments, radii 1 and 0.5, 504 vertices, 1008 triangles, smooth normals.
+    Torus,
+}
+
+/// Places in 2.14, normals of length 127, triangles counter-clockwise as seen from outside.
+#[derive(Clone, Copy, Debug)]
+pub struct Model {
+    pub positions: &'static [[i16; 3]],
+    pub normals: &'static [[i8; 3]],
+    pub triangles: &'static [[u16; 3]],
+}
+
+/// The most vertices of a solid.
+pub const VERTICES: usize = 504;
+
+impl Solid {
+    pub fn model(self) -> Model {
+        match self {
+            Self::Cube => CUBE.model(),
+            Self::Torus => TORUS.model(),
+        }
+    }
+}
+
+struct Arrays<const V: usize, const T: usize> {
+    positions: [[i16; 3]; V],
+    normals: [[i8; 3]; V],
+    triangles: [[u16; 3]; T],
+}
+
+impl<const V: usize, const T: usize> Arrays<V, T> {
+    fn model(&'static self) -> Model {
+        Model { positions: &self.positions, normals: &self.normals, triangles: &self.triangles }
+    }
+}
+
+static CUBE: Arrays<8, 12> = cube();
+static TORUS: Arrays<VERTICES, 1008> = torus();
+
+/// Bit 0 of a vertex's number is its side along x, bit 1 along y, bit 2 along z.
+const fn cube() -> Arrays<8, 12> {
+    let mut arrays = Arrays { positions: [[0; 3]; 8], normals: [[0; 3]; 8], triangles: [[0; 3]; 12] };
+    let mut vertex = 0;
+    while vertex < 8 {
+        let mut axis = 0;
+        while axis < 3 {
+            let side = if vertex >> axis & 1 == 1 { 1.0 } else { -1.0 };
+            arrays.positions[vertex][axis] = nearest(side * ONE) as i16;
+            arrays.normals[vertex][axis] = nearest(side * 127.0 / SQRT_3) as i8;
+            axis += 1;
+        }
+        vertex += 1;
+    }
+    // Around each face, beginning at a corner: right, left, top, bottom, front, back.
+    let faces: [[u16; 4]; 6] = [[1, 3, 7, 5], [0, 4, 6, 2], [2, 6, 7, 3], [0, 1, 5, 4], [4, 5, 7, 6], [0, 2, 3, 1]];
+    let mut face = 0;
+    while face < 6 {
+        (arrays.triangles[2 * face], arrays.triangles[2 * face + 1]) = halves(faces[face]);
+        face += 1;
+    }
+    arrays
+}
+
+const AROUND: usize = 28;
+const ACROSS: usize = 18;
+
+/// About the z axis.
+const fn torus() -> Arrays<VERTICES, 1008> {
+    let mut arrays = Arrays { positions: [[0; 3]; VERTICES], normals: [[0; 3]; VERTICES], triangles: [[0; 3]; 1008] };
+    let mut at = 0;
+    while at < VERTICES {
+        let (i, j) = (at / ACROSS, at % ACROSS);
+        let (sin_u, cos_u) = sine_and_cosine(turn(i, AROUND));
+        let (sin_v, cos_v) = sine_and_cosine(turn(j, ACROSS));
+        let from_axis = 1.0 + 0.5 * cos_v;
+        arrays.positions[at] = places([from_axis * cos_u, from_axis * sin_u, 0.5 * sin_v]);
+        let normal = [cos_v * cos_u, cos_v * sin_u, sin_v];
+        let mut axis = 0;
+        while axis < 3 {
+            arrays.normals[at][axis] = nearest(normal[axis] * 127.0) as i8;
+            axis += 1;
+        }
+        let around = [vertex(i, j), vertex(i + 1, j), vertex(i + 1, j + 1), vertex(i, j + 1)];
+        (arrays.triangles[2 * at], arrays.triangles[2 * at + 1]) = halves(around);
+        at += 1;
+    }
+    arrays
+}
+
+const fn vertex(i: usize, j: usize) -> u16 {
+    ((i % AROUND) * ACROSS + j % ACROSS) as u16
+}
+
+const fn halves([a, b, c, d]: [u16; 4]) -> ([u16; 3], [u16; 3]) {
+    ([a, b, c], [a, c, d])
+}
+
+const ONE: f64 = 16_384.0;
+const SQRT_3: f64 = 1.732_050_807_568_877_2;
+
+const fn places([x, y, z]: [f64; 3]) -> [i16; 3] {
+    [nearest(x * ONE) as i16, nearest(y * ONE) as i16, nearest(z * ONE) as i16]
+}
+
+const fn nearest(value: f64) -> i32 {
+    (value + if value < 0.0 { -0.5 } else { 0.5 }) as i32
+}
+
+#[expect(clippy::cast_precision_loss, reason = "small numbers")]
+const fn turn(part: usize, of: usize) -> f64 {
+    part as f64 / of as f64
+}
+
+/// Of an angle in turns, 0 to 1, by the series about the nearest eighth: exact to 10⁻¹⁵.
+const fn sine_and_cosine(turns: f64) -> (f64, f64) {
+    let eighth = nearest(turns * 8.0);
+    let rest = (turns - eighth as f64 / 8.0) * TAU;
+    let (mut sin, mut cos, mut term, mut power) = (0.0, 0.0, 1.0, 0);
+    while power < 16 {
+        match power & 3 {
+            0 => cos += term,
+            1 => sin += term,
+            2 => cos -= term,
+            _ => sin -= term,
+        }
+        power += 1;
+        term *= rest / power as f64;
+    }
+    let (sin_e, cos_e) = match eighth & 7 {
+        0 => (0.0, 1.0),
+        1 => (FRAC_1_SQRT_2, FRAC_1_SQRT_2),
+        2 => (1.0, 0.0),
+        3 => (FRAC_1_SQRT_2, -FRAC_1_SQRT_2),
+        4 => (0.0, -1.0),
+        5 => (-FRAC_1_SQRT_2, -FRAC_1_SQRT_2),
+        6 => (-1.0, 0.0),
+        _ => (-FRAC_1_SQRT_2, FRAC_1_SQRT_2),
+    };
+    (sin_e * cos + cos_e * sin, cos_e * cos - sin_e * sin)
+}
