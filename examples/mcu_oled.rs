@@ -50,11 +50,11 @@ fn draw(memory: &mut Memory, number: u16) -> Option<()> {
     let mut frame = Frame::<Gray4, Rows, _>::new(&mut memory.bytes[..], 128, 64).ok()?;
     let Ok(()) = frame.clear(Gray4::BLACK);
     let mut depth = DepthBuffer::new(&mut memory.depths, AREA).ok()?;
-    let mut workspace = Workspace { vertices: &mut memory.vertices, depth: &mut depth };
-    let instance = Instance { mesh: scene::BUNNY, placement: scene::placement(number) };
+    let mut workspace = Workspace { vertices: &mut memory.vertices, hidden: &mut depth };
+    let instance = Instance::new(scene::BUNNY, scene::placement(number));
     // The emulated panel shows code n as the grey 17n of a monitor.
     let mut light = Dithered::new(&mut frame, Levels::SRGB_16);
-    draw_mesh(&instance, &scene::camera(AREA)?, &mut workspace, &mut light).ok()?;
+    draw_mesh(&instance, &scene::scene(AREA)?, &mut workspace, &mut light).ok()?;
     let style = MonoTextStyle::new(&FONT_6X10, Gray4::WHITE);
     let Ok(_) = Text::new("aquatint", Point::new(72, 34), style).draw(&mut frame);
     Some(())

@@ -198,10 +198,7 @@ where
 }
 
 /// Every triangle that shows a side that is wanted.
-fn draw_triangles<S, I, H, T>(
-    surface: &Surface<'_, S, I>,
-    fragments: &mut Fragments<'_, H, T>,
-) -> Result<(), T::Error>
+fn draw_triangles<S, I, H, T>(surface: &Surface<'_, S, I>, fragments: &mut Fragments<'_, H, T>) -> Result<(), T::Error>
 where
     S: Shading,
     I: Illumination,

@@ -12,7 +12,7 @@ use aquatint::{
     geometry::{face::is_front, light::Lamp, projection::Lens, transform::MeshTransform, viewport::Viewport},
     hidden::depth::DepthBuffer,
     model::mesh::Mesh,
-    pipeline::{Camera, DrawError, Instance, MeshVertex, Workspace, draw_mesh},
+    pipeline::{Camera, DrawError, Instance, MeshVertex, Scene, Workspace, draw_mesh},
     vary::{Ramp, Vertex},
 };
 use embedded_graphics::{
@@ -80,19 +80,20 @@ fn number(value: f64) -> Scalar {
     Scalar::saturating_from_num(value)
 }
 
-fn camera(view: Rect) -> Camera {
+fn scene(view: Rect) -> Scene {
     let aspect = number(f64::from(view.width()) / f64::from(view.height()));
     let lens = Lens { field_of_view: Angle::from_degrees(60.0), aspect, near: number(0.5), far: number(64.0) };
-    Camera {
+    let camera = Camera {
         view: Matrix::<World, View>::translation(Scalar::ZERO, Scalar::ZERO, number(-4.5)),
         projection: Matrix::perspective(lens).expect("a lens"),
         viewport: Viewport::new(view).expect("a viewport"),
-        lamp: Lamp {
-            direction: Vector3::new(number(1.0), number(2.0), number(3.0)),
-            ambient: Light(9_000),
-            diffuse: Light(50_000),
-        },
-    }
+    };
+    let light = Lamp {
+        direction: Vector3::new(number(1.0), number(2.0), number(3.0)),
+        ambient: Light(9_000),
+        diffuse: Light(50_000),
+    };
+    Scene { camera, light }
 }
 
 fn turned(y: u16, x: u16) -> Matrix<Model, World> {
@@ -153,15 +154,15 @@ impl Target for Lights {
 /// Draws meshes with a depth buffer over `window`.
 fn draw<T: Target<Color = Light>>(
     instances: &[Instance],
-    camera: &Camera,
+    scene: &Scene,
     window: Rect,
     target: &mut T,
 ) -> Result<(), DrawError<T::Error>> {
-    let mut depths = vec![0; window.width() as usize * window.height() as usize];
+    let mut depths = vec![0_u16; window.width() as usize * window.height() as usize];
     let mut depth = DepthBuffer::new(&mut depths, window).expect("large enough");
     let mut vertices = vec![MeshVertex::EMPTY; 64];
     for instance in instances {
-        draw_mesh(instance, camera, &mut Workspace { vertices: &mut vertices, depth: &mut depth }, target)?;
+        draw_mesh(instance, scene, &mut Workspace { vertices: &mut vertices, hidden: &mut depth }, target)?;
     }
     Ok(())
 }
@@ -177,12 +178,12 @@ where
     let mesh = cube.mesh();
     let bytes = vec![0; Frame::<C, L, ()>::bytes_needed(32, 24)];
     let mut frame = Frame::<C, L, _>::new(bytes, 32, 24).expect("large enough");
-    let instance = Instance { mesh, placement: turned(0x1400, 0x1700) };
+    let instance = Instance::new(mesh, turned(0x1400, 0x1700));
     // Bands: a depth buffer of a few rows at a time.
     for top in (0..24).step_by(usize::try_from(height).expect("positive")) {
         let band = Rect::new(0, top, 32, (top + height).min(24));
         let mut light = Dithered::new(&mut frame, levels);
-        draw(&[instance], &camera(VIEW), band, &mut light).expect("in range");
+        draw(&[instance], &scene(VIEW), band, &mut light).expect("in range");
     }
     (0..24)
         .flat_map(|y| (0..32).map(move |x| (x, y)))
@@ -256,8 +257,8 @@ fn cube_on_display(left: usize) -> (Display, Result<(), DrawError<&'static str>>
     let mut display = Display { pixels: vec![None; 32 * 24], left };
     let mut on_display = OnDrawTarget::new(&mut display);
     let mut light = Dithered::new(&mut on_display, Levels::ONE_BIT);
-    let instance = Instance { mesh, placement: turned(0x1400, 0x1700) };
-    let result = draw(&[instance], &camera(VIEW), VIEW, &mut light);
+    let instance = Instance::new(mesh, turned(0x1400, 0x1700));
+    let result = draw(&[instance], &scene(VIEW), VIEW, &mut light);
     (display, result)
 }
 
@@ -282,27 +283,27 @@ fn an_error_of_the_display_ends_the_drawing() {
 fn what_cannot_be_drawn_is_said_before_anything_is_drawn() {
     let cube = cube();
     let mesh = cube.mesh();
-    let instance = Instance { mesh, placement: turned(0, 0) };
-    let (mut lights, mut depths) = (Lights::new(VIEW), vec![0; 32 * 24]);
+    let instance = Instance::new(mesh, turned(0, 0));
+    let (mut lights, mut depths) = (Lights::new(VIEW), vec![0_u16; 32 * 24]);
     let mut depth = DepthBuffer::new(&mut depths, VIEW).expect("large enough");
-    let mut workspace = Workspace { vertices: &mut [MeshVertex::EMPTY; 23], depth: &mut depth };
-    let result = draw_mesh(&instance, &camera(VIEW), &mut workspace, &mut lights);
+    let mut workspace = Workspace { vertices: &mut [MeshVertex::EMPTY; 23], hidden: &mut depth };
+    let result = draw_mesh(&instance, &scene(VIEW), &mut workspace, &mut lights);
     assert_eq!(result, Err(DrawError::TooFewVertices { needed: 24 }));
 
-    let huge = Instance { mesh, placement: Matrix::scale(number(3000.0)) };
-    assert_eq!(draw(&[huge], &camera(VIEW), VIEW, &mut lights), Err(DrawError::OutOfRange));
+    let huge = Instance::new(mesh, Matrix::scale(number(3000.0)));
+    assert_eq!(draw(&[huge], &scene(VIEW), VIEW, &mut lights), Err(DrawError::OutOfRange));
     assert!(lights.lights.iter().all(Option::is_none));
 }
 
 /// Every pixel whose five rays agree shows the light of the face that they hit.
-fn assert_like_rays(instances: &[Instance], camera: &Camera, view: Rect) -> usize {
+fn assert_like_rays(instances: &[Instance], scene: &Scene, view: Rect) -> usize {
     let mut lights = Lights::new(view);
-    draw(instances, camera, view, &mut lights).expect("in range");
-    let faces: Vec<_> = instances.iter().flat_map(|instance| rays::faces(instance, camera)).collect();
+    draw(instances, scene, view, &mut lights).expect("in range");
+    let faces: Vec<_> = instances.iter().flat_map(|instance| rays::faces(instance, scene)).collect();
     let (mut sure, mut hits) = (0, 0);
     for (x, y) in view.rows().flat_map(|y| view.columns().map(move |x| (x, y))) {
         let got = lights.at(x, y);
-        match rays::seen(&faces, camera, (x, y)) {
+        match rays::seen(&faces, scene, (x, y)) {
             Seen::Unsure => continue,
             Seen::Nothing => assert_eq!(got, None, "pixel {x}, {y}"),
             Seen::Face(light) => assert_eq!(got, Some(light), "pixel {x}, {y}"),
@@ -322,8 +323,8 @@ fn a_turning_cube_is_what_rays_see() {
     let view = Rect::new(3, 5, 83, 65);
     for _ in 0..100 {
         let mut angle = || u16::try_from(random.below(0x1_0000)).expect("16 bits");
-        let instance = Instance { mesh, placement: turned(angle(), angle()) };
-        assert!(assert_like_rays(&[instance], &camera(view), view) > 500);
+        let instance = Instance::new(mesh, turned(angle(), angle()));
+        assert!(assert_like_rays(&[instance], &scene(view), view) > 500);
     }
 }
 
@@ -336,9 +337,9 @@ fn two_cubes_that_pierce_each_other_are_what_rays_see() {
     for _ in 0..50 {
         let mut angle = || u16::try_from(random.below(0x1_0000)).expect("16 bits");
         let beside = Matrix::<World, World>::translation(number(0.7), number(0.4), number(0.3));
-        let first = Instance { mesh, placement: turned(angle(), angle()) };
-        let second = Instance { mesh, placement: turned(angle(), angle()).then(&beside) };
-        assert_like_rays(&[first, second], &camera(view), view);
+        let first = Instance::new(mesh, turned(angle(), angle()));
+        let second = Instance::new(mesh, turned(angle(), angle()).then(&beside));
+        assert_like_rays(&[first, second], &scene(view), view);
     }
 }
 
@@ -352,9 +353,9 @@ fn a_floor_that_passes_under_the_eye_is_what_rays_see() {
         let placement = Matrix::<Model, World>::scale(number(16.0))
             .then(&Matrix::<World, World>::rotation_y(Angle::from_degrees(degrees(180))));
         let tilt = Matrix::<View, View>::rotation_x(Angle::from_degrees(degrees(40)));
-        let mut camera = camera(view);
-        camera.view = camera.view.then(&tilt);
-        assert_like_rays(&[Instance { mesh: FLOOR, placement }], &camera, view);
+        let mut scene = scene(view);
+        scene.camera.view = scene.camera.view.then(&tilt);
+        assert_like_rays(&[Instance::new(FLOOR, placement)], &scene, view);
     }
 }
 
@@ -362,7 +363,7 @@ fn a_floor_that_passes_under_the_eye_is_what_rays_see() {
 fn front_and_back_of_a_closed_solid_cover_the_same_pixels_once() {
     let Solid { positions, triangles, .. } = cube();
     let view = Rect::new(0, 0, 60, 60);
-    let camera = camera(view);
+    let camera = scene(view).camera;
     let mut random = Random(4);
     for _ in 0..300 {
         let mut angle = || u16::try_from(random.below(0x1_0000)).expect("16 bits");
@@ -421,11 +422,11 @@ proptest! {
     ) {
         let normals = vec![[1, 127, -128]; positions.len()];
         let mesh = Mesh::new(&positions, &normals, &triangles).expect("indices are right");
-        let instance = Instance { mesh, placement: Matrix::IDENTITY };
-        let mut camera = camera(Rect::new(left, top, left + 90, top + 60));
-        camera.projection = Matrix::from_rows(rows);
+        let instance = Instance::new(mesh, Matrix::IDENTITY);
+        let mut scene = scene(Rect::new(left, top, left + 90, top + 60));
+        scene.camera.projection = Matrix::from_rows(rows);
         let window = Rect::new(left - 5, top + 5, left + 50, top + 70);
-        match draw(&[instance], &camera, window, &mut Lights::new(window)) {
+        match draw(&[instance], &scene, window, &mut Lights::new(window)) {
             Ok(()) | Err(DrawError::OutOfRange) => {}
             Err(other) => prop_assert!(false, "{:?}", other),
         }

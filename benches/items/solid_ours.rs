@@ -5,7 +5,7 @@ use aquatint::{
     geometry::{light::Lamp, projection::Lens, viewport::Viewport},
     hidden::depth::DepthBuffer,
     model::mesh::Mesh,
-    pipeline::{Camera, Instance, MeshVertex, Workspace, draw_mesh},
+    pipeline::{Camera, Instance, MeshVertex, Scene, Workspace, draw_mesh},
 };
 use embedded_graphics::{
     draw_target::DrawTarget,
@@ -29,7 +29,7 @@ pub struct Ours<'m> {
     frame: Frame<BinaryColor, Rows, &'m mut [u8]>,
     depth: DepthBuffer<'m>,
     vertices: &'m mut [MeshVertex],
-    camera: Camera,
+    scene: Scene,
     cube: Mesh<'static>,
     torus: Mesh<'static>,
 }
@@ -41,7 +41,7 @@ impl<'m> Ours<'m> {
             frame: Frame::new(memory.bytes, size.width, size.height).ok()?,
             depth: DepthBuffer::new(memory.depths, rect).ok()?,
             vertices: memory.vertices,
-            camera: camera(rect)?,
+            scene: scene(rect)?,
             cube: mesh(Solid::Cube)?,
             torus: mesh(Solid::Torus)?,
         })
@@ -56,17 +56,17 @@ fn mesh(solid: Solid) -> Option<Mesh<'static>> {
 /// Of 53.13°, whose half has the tangent ½.
 const FIELD_OF_VIEW: Angle = Angle(9672);
 
-fn camera(rect: Rect) -> Option<Camera> {
+fn scene(rect: Rect) -> Option<Scene> {
     let number = |thousandths: i32| Scalar::from_num(thousandths) / 1000;
     let aspect = Scalar::from_num(rect.width()) / Scalar::from_num(rect.height());
     let lens = Lens { field_of_view: FIELD_OF_VIEW, aspect, near: number(400), far: number(20_000) };
     let direction = Vector3::new(number(400), number(600), number(690));
-    Some(Camera {
+    let camera = Camera {
         view: Matrix::<World, View>::translation(Scalar::ZERO, Scalar::ZERO, number(-4000)),
         projection: Matrix::perspective(lens).ok()?,
         viewport: Viewport::new(rect).ok()?,
-        lamp: Lamp { direction, ambient: Light(6_554), diffuse: Light(58_981) },
-    })
+    };
+    Some(Scene { camera, light: Lamp { direction, ambient: Light(6_554), diffuse: Light(58_981) } })
 }
 
 impl Engine for Ours<'_> {
@@ -87,10 +87,10 @@ impl Engine for Ours<'_> {
             Solid::Cube => self.cube,
             Solid::Torus => self.torus,
         };
-        let mut workspace = Workspace { vertices: self.vertices, depth: &mut self.depth };
+        let mut workspace = Workspace { vertices: self.vertices, hidden: &mut self.depth };
         let mut light = Dithered::new(&mut self.frame, Levels::ONE_BIT);
         // A solid that was refused would show as an empty picture.
-        let _ = draw_mesh(&Instance { mesh, placement }, &self.camera, &mut workspace, &mut light);
+        let _ = draw_mesh(&Instance::new(mesh, placement), &self.scene, &mut workspace, &mut light);
     }
 
     fn picture(&self, look: impl FnOnce(&[u8])) {

@@ -154,10 +154,10 @@ fn spin(
         let Ok(()) = target.fill_run(row, place.columns(), [Light::BLACK]);
     }
     let mut vertices = vec![MeshVertex::default(); content.mesh.positions().len()];
-    let mut depths = vec![0; place.width() as usize * place.height() as usize];
+    let mut depths = vec![0_u16; place.width() as usize * place.height() as usize];
     let mut depth = DepthBuffer::new(&mut depths, place).map_err(|e| format!("{e:?}"))?;
-    let mut workspace = Workspace { vertices: &mut vertices, depth: &mut depth };
-    let camera = scene::camera(place).ok_or("no camera")?;
-    let instance = Instance { mesh: content.mesh, placement: content.placement };
-    draw_mesh(&instance, &camera, &mut workspace, target).map_err(|e| format!("{e:?}"))
+    let mut workspace = Workspace { vertices: &mut vertices, hidden: &mut depth };
+    let scene = scene::scene(place).ok_or("no camera")?;
+    let instance = Instance::new(content.mesh, content.placement);
+    draw_mesh(&instance, &scene, &mut workspace, target).map_err(|e| format!("{e:?}"))
 }

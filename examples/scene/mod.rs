@@ -5,7 +5,7 @@ use aquatint::{
     Angle, Light, Matrix, Model, Rect, Scalar, Vector3, View, World,
     geometry::{light::Lamp, projection::Lens, viewport::Viewport},
     model::mesh::Mesh,
-    pipeline::Camera,
+    pipeline::{Camera, Scene},
 };
 
 /// The Stanford bunny, 1839 vertices and 3674 triangles.
@@ -18,21 +18,22 @@ pub const FRAMES_PER_TURN: u16 = 64;
 const TURN_A_FRAME: u16 = 1024;
 
 /// A camera three units away from a mesh of radius 1, filling `area`; `None` for an empty one.
-pub fn camera(area: Rect) -> Option<Camera> {
+pub fn scene(area: Rect) -> Option<Scene> {
     let aspect = Scalar::checked_from_num(area.width())?.checked_div(Scalar::checked_from_num(area.height())?)?;
     // The unit sphere touches the upper and lower borders.
     let field_of_view = Angle::from_degrees(if aspect < 1 { 47.0 } else { 39.0 });
     let lens = Lens { field_of_view, aspect, near: Scalar::ONE, far: Scalar::from_num(8) };
-    Some(Camera {
+    let camera = Camera {
         view: Matrix::<World, View>::translation(Scalar::ZERO, Scalar::ZERO, Scalar::from_num(-3)),
         projection: Matrix::perspective(lens).ok()?,
         viewport: Viewport::new(area).ok()?,
-        lamp: Lamp {
-            direction: Vector3::new(Scalar::from_num(-2), Scalar::from_num(3), Scalar::from_num(3)),
-            ambient: Light(2_500),
-            diffuse: Light(62_000),
-        },
-    })
+    };
+    let light = Lamp {
+        direction: Vector3::new(Scalar::from_num(-2), Scalar::from_num(3), Scalar::from_num(3)),
+        ambient: Light(2_500),
+        diffuse: Light(62_000),
+    };
+    Some(Scene { camera, light })
 }
 
 /// Where the mesh stands in a frame: turned about the upright axis, and nodding a little.

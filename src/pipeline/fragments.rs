@@ -112,12 +112,8 @@ impl<S: Shading, I: Illumination, H: Hidden, T> Painter<'_, '_, S, I, H, T> {
         let corners = surface.corners(triangle);
         let slopes = Slopes::new(&piece.positions);
         let placed = place(surface, triangle, piece, &corners);
-        let facet = Facet {
-            corners: &corners,
-            normal: surface.face_normal(triangle),
-            placed: &placed,
-            slopes: &slopes,
-        };
+        let facet =
+            Facet { corners: &corners, normal: surface.face_normal(triangle), placed: &placed, slopes: &slopes };
         let face = surface.shading.face(&surface.light, &facet);
         let depth = if H::USES_DEPTH { depth_plane(surface.bias, &slopes, piece.depths) } else { Plane::LEVEL };
         Begun { face, depth }

@@ -2,6 +2,7 @@
 
 use super::vertex::MeshVertex;
 use crate::{
+    clip::volume,
     colour::Light,
     fragment::shade::{Corner, Shading},
     geometry::{
@@ -12,7 +13,6 @@ use crate::{
     illumination::Illumination,
     model::mesh::Mesh,
     num::Scalar,
-    clip::volume,
     pipeline::fragments::{DepthBias, MeshTriangle},
 };
 

@@ -2,7 +2,7 @@
 
 use aquatint::{
     Light, Point3,
-    pipeline::{Camera, Instance},
+    pipeline::{Camera, Instance, Scene},
 };
 
 /// A triangle in view space and its light.
@@ -20,9 +20,9 @@ pub enum Seen {
 }
 
 /// The faces of a mesh whose normals are the same in all corners of a face.
-pub fn faces(instance: &Instance, camera: &Camera) -> Vec<Face> {
-    let lamp = camera.lamp.in_model_space(&instance.placement);
-    let to_view = instance.placement.then(&camera.view);
+pub fn faces(instance: &Instance, scene: &Scene) -> Vec<Face> {
+    let lamp = scene.light.in_model_space(&instance.placement);
+    let to_view = instance.placement.then(&scene.camera.view);
     let place = |position: [i16; 3]| {
         let [x, y, z] = position.map(|v| aquatint::Scalar::from_bits(i32::from(v) * 4));
         let p = to_view.transform_point(Point3::new(x, y, z));
@@ -36,7 +36,7 @@ pub fn faces(instance: &Instance, camera: &Camera) -> Vec<Face> {
 }
 
 /// What a pixel shows. Unsure when rays an eighth of a pixel apart do not agree.
-pub fn seen(faces: &[Face], camera: &Camera, (x, y): (i32, i32)) -> Seen {
+pub fn seen(faces: &[Face], Scene { camera, .. }: &Scene, (x, y): (i32, i32)) -> Seen {
     let (x, y) = (f64::from(x) + 0.5, f64::from(y) + 0.5);
     let near = 0.125;
     let samples = [(0.0, 0.0), (-near, -near), (near, -near), (-near, near), (near, near)];

@@ -29,12 +29,7 @@ impl Shading for Unlit {
     fn face<I: Illumination>(&self, _light: &I, _facet: &Facet<'_, [u16; 0]>) {}
 
     #[inline]
-    fn colors<I: Illumination>(
-        &self,
-        _light: &I,
-        _face: &(),
-        _at: (i32, i32),
-    ) -> impl Iterator<Item = Option<Light>> {
+    fn colors<I: Illumination>(&self, _light: &I, _face: &(), _at: (i32, i32)) -> impl Iterator<Item = Option<Light>> {
         core::iter::repeat(Some(Light::WHITE))
     }
 

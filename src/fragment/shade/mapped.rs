@@ -44,12 +44,7 @@ impl<S: Shading, C: Copy, F: Fn(S::Color) -> C> Shading for Mapped<S, F> {
     }
 
     #[inline]
-    fn colors<I: Illumination>(
-        &self,
-        light: &I,
-        face: &S::Face,
-        at: (i32, i32),
-    ) -> impl Iterator<Item = Option<C>> {
+    fn colors<I: Illumination>(&self, light: &I, face: &S::Face, at: (i32, i32)) -> impl Iterator<Item = Option<C>> {
         self.shading.colors(light, face, at).map(|color| color.map(&self.map))
     }
 }
