@@ -206,7 +206,8 @@ where
     T: Target<Color = S::Color>,
 {
     for (face, &corners) in surface.mesh.triangles().iter().enumerate() {
-        let vertices = corners.map(|index| surface.vertex(index));
+        let [a, b, c] = corners;
+        let vertices = [surface.vertex(a), surface.vertex(b), surface.vertex(c)];
         if !vertices.iter().all(MeshVertex::is_projected) {
             draw_clipped(surface, (face, corners), fragments)?;
             continue;

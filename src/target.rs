@@ -60,6 +60,25 @@ pub trait Target {
         colors: impl Iterator<Item = Option<Self::Color>>,
     ) -> Result<(), Self::Error>;
 
+    /// Gives every pixel of a run one of two colours, eight at a time: `next` gives a byte for eight columns, of which
+    /// the first is a multiple of eight and in the highest bit. It begins at or before the run.
+    ///
+    /// A packed frame of one bit a pixel takes the bytes as they are.
+    ///
+    /// # Errors
+    /// What the display behind says.
+    fn write_bits(
+        &mut self,
+        row: i32,
+        columns: Range<i32>,
+        [off, on]: [Self::Color; 2],
+        next: impl FnMut() -> u8,
+    ) -> Result<(), Self::Error> {
+        let before = index(columns.start & 7);
+        let colors = bits_of_bytes(next).skip(before).map(|bit| Some(if bit { on } else { off }));
+        self.write_run(row, columns, colors)
+    }
+
     /// Gives the pixels of a run light that changes evenly from one to the next.
     ///
     /// Pixel by pixel, unless the target can do better; [`Dithered`](crate::Dithered) can.
@@ -88,6 +107,11 @@ pub trait Target {
             None => Ok(()),
         })
     }
+}
+
+/// The bits of bytes without end, from the highest one on.
+pub(crate) fn bits_of_bytes(next: impl FnMut() -> u8) -> impl Iterator<Item = bool> {
+    core::iter::repeat_with(next).flat_map(|byte| [7, 6, 5, 4, 3, 2, 1, 0].map(|bit| byte >> bit & 1 == 1))
 }
 
 /// What a shape is filled with: a colour, a pattern, a picture, a gradient …

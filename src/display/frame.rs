@@ -14,7 +14,7 @@ use embedded_graphics::{
 use crate::{
     display::layout::{Layout, Memory},
     error::describe,
-    num::{count, index},
+    num::{bits, count, index},
     space::Rect,
     target::{Target, eight, repeated, write_area},
 };
@@ -207,6 +207,14 @@ impl<C: PixelColor, L: Layout<C>, B: AsMut<[u8]>> Frame<C, L, B> {
         Rect::of_size(Size::new(self.width, self.height))
     }
 
+    /// Whether a run that is not empty is all inside: four comparisons, because negative numbers are beyond any size
+    /// as unsigned ones.
+    #[inline]
+    const fn holds(&self, row: i32, columns: &Range<i32>) -> bool {
+        let (start, end) = (bits(columns.start), bits(columns.end));
+        bits(row) < self.height && end <= self.width && start < end
+    }
+
     /// The picture's bytes from the first line on, for a layout to write.
     #[inline]
     pub(super) fn memory_mut(&mut self) -> Memory<&mut [u8]> {
@@ -237,7 +245,8 @@ impl<C: PixelColor, L: Layout<C>, B: AsMut<[u8]>> Target for Frame<C, L, B> {
     }
 
     fn fill_run<const N: usize>(&mut self, row: i32, columns: Range<i32>, colors: [C; N]) -> Result<(), Infallible> {
-        if let Some(visible) = self.rect().clip_run(row, columns) {
+        let visible = if self.holds(row, &columns) { Some(columns) } else { self.rect().clip_run(row, columns) };
+        if let Some(visible) = visible {
             let (line, columns) = (index(row), index(visible.start)..index(visible.end));
             if let [color] = *colors.as_slice() {
                 L::fill_solid(self.memory_mut(), line..line + 1, columns, color);
@@ -264,6 +273,26 @@ impl<C: PixelColor, L: Layout<C>, B: AsMut<[u8]>> Target for Frame<C, L, B> {
                 colors.nth(last);
             }
             L::write(self.memory_mut(), index(row), start, colors.take(end - start));
+        }
+        Ok(())
+    }
+
+    #[inline]
+    fn write_bits(
+        &mut self,
+        row: i32,
+        columns: Range<i32>,
+        colors: [C; 2],
+        mut next: impl FnMut() -> u8,
+    ) -> Result<(), Infallible> {
+        let visible =
+            if self.holds(row, &columns) { Some(columns.clone()) } else { self.rect().clip_run(row, columns.clone()) };
+        if let Some(visible) = visible {
+            for _ in columns.start >> 3..visible.start >> 3 {
+                next();
+            }
+            let columns = position(bits(visible.start))..position(bits(visible.end));
+            L::write_bits((self.memory_mut(), position(bits(row))), columns, colors, next);
         }
         Ok(())
     }

@@ -91,8 +91,11 @@ pub(super) struct Shades<'l> {
 
 impl<'l> Shades<'l> {
     pub(super) const fn new(levels: Levels<'l>) -> Self {
-        // A step at one light, with no level reached: black is below every threshold.
-        Self { levels, from: 0, reach: 0, dark: 0, gap: 0, code: 0 }
+        let (dark, bright) = match levels.lights {
+            &[dark, bright, ..] => (dark, bright),
+            _ => (0, u16::MAX),
+        };
+        Self { levels, from: 0, reach: bright, dark: dark as u32, gap: bright.saturating_sub(dark) as u32, code: 0 }
     }
 
     /// The light of a code.

@@ -12,7 +12,7 @@ use core::ops::Range;
 use crate::{
     error::describe,
     hidden::Hidden,
-    num::{FRACTION_16_15, count, count_i32, from_16_15, index, low_u8},
+    num::{FRACTION_16_15, bits, count, from_16_15, low_index, low_u8},
     space::Rect,
     vary::Ramp,
 };
@@ -59,6 +59,9 @@ impl Depth for u32 {
 
 /// Which fragments pass, by what is stored at their pixel.
 pub trait DepthFunction: Copy {
+    /// Whether the depths of those that pass are stored.
+    const STORES: bool = true;
+
     /// Whether a fragment at `depth` is seen where `stored` is the depth so far; greater is nearer.
     fn passes<D: Depth + Ord>(self, stored: D, depth: D) -> bool;
 }
@@ -112,6 +115,19 @@ impl DepthFunction for DepthTest {
     }
 }
 
+/// A test whose depths are not stored.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Unstored<F>(F);
+
+impl<F: DepthFunction> DepthFunction for Unstored<F> {
+    const STORES: bool = false;
+
+    #[inline]
+    fn passes<D: Depth + Ord>(self, stored: D, depth: D) -> bool {
+        self.0.passes(stored, depth)
+    }
+}
+
 /// A depth for every pixel of a window, in memory of the caller's; the window is a frame or a band of it.
 ///
 /// ```
@@ -129,8 +145,8 @@ impl DepthFunction for DepthTest {
 pub struct DepthBuffer<'b, D = u16, F = Nearer> {
     depths: &'b mut [D],
     window: Rect,
+    width: usize,
     function: F,
-    is_written: bool,
 }
 
 /// Fewer depths than the window has pixels.
@@ -150,8 +166,9 @@ impl<'b, D: Depth> DepthBuffer<'b, D> {
     pub fn new(depths: &'b mut [D], window: Rect) -> Result<Self, TooFewDepths> {
         let needed = count(u64::from(window.width()) * u64::from(window.height()));
         let depths = depths.get_mut(..needed).ok_or(TooFewDepths { needed })?;
-        depths.fill(D::FARTHEST);
-        Ok(Self { depths, window, function: Nearer, is_written: true })
+        let mut buffer = Self { depths, window, width: count(window.width().into()), function: Nearer };
+        buffer.clear();
+        Ok(buffer)
     }
 }
 
@@ -159,14 +176,14 @@ impl<'b, D: Depth, F> DepthBuffer<'b, D, F> {
     /// The same with another test.
     #[must_use]
     pub fn with_test<G: DepthFunction>(self, function: G) -> DepthBuffer<'b, D, G> {
-        DepthBuffer { depths: self.depths, window: self.window, function, is_written: self.is_written }
+        DepthBuffer { depths: self.depths, window: self.window, width: self.width, function }
     }
 
     /// The same, but what passes is not remembered: for what is translucent, and for second passes.
     #[must_use]
-    pub const fn without_writing(mut self) -> Self {
-        self.is_written = false;
-        self
+    pub fn without_writing(self) -> DepthBuffer<'b, D, Unstored<F>> {
+        let Self { depths, window, width, function } = self;
+        DepthBuffer { depths, window, width, function: Unstored(function) }
     }
 
     /// The pixels that have a depth.
@@ -177,7 +194,10 @@ impl<'b, D: Depth, F> DepthBuffer<'b, D, F> {
 
     /// Puts all pixels at the farthest again.
     pub fn clear(&mut self) {
-        self.depths.fill(D::FARTHEST);
+        // In blocks: of long ones, the desk's block fill makes a string instruction that counts for each byte.
+        for block in self.depths.chunks_mut(256) {
+            block.fill(D::FARTHEST);
+        }
     }
 
     /// The depths of a run of pixels; `None` when some of them lie outside of the window.
@@ -187,10 +207,16 @@ impl<'b, D: Depth, F> DepthBuffer<'b, D, F> {
         if row < top || row >= bottom || columns.start < left || columns.end > right {
             return None;
         }
-        let width = index(right.wrapping_sub(left));
-        let start =
-            index(row.wrapping_sub(top)).wrapping_mul(width).wrapping_add(index(columns.start.wrapping_sub(left)));
-        self.depths.get_mut(start..)?.get_mut(..index(columns.end.wrapping_sub(columns.start)))
+        self.run_inside(row, columns)
+    }
+
+    /// The same for a run inside of the window; of others some depths, or none.
+    #[inline]
+    fn run_inside(&mut self, row: i32, columns: Range<i32>) -> Option<&mut [D]> {
+        let from = |at: i32, border: i32| count(bits(at.wrapping_sub(border)).into());
+        let line = from(row, self.window.top).wrapping_mul(self.width);
+        let start = line.wrapping_add(from(columns.start, self.window.left));
+        self.depths.get_mut(start..start.wrapping_add(from(columns.end, columns.start)))
     }
 }
 
@@ -209,25 +235,19 @@ impl<D: Depth + Ord, F: DepthFunction> Hidden for DepthBuffer<'_, D, F> {
         mut depth: Ramp<1>,
         mut seen: impl FnMut(Range<i32>) -> Result<(), E>,
     ) -> Result<(), E> {
-        let (function, is_written) = (self.function, self.is_written);
-        let Some(stored) = self.run(row, columns.clone()) else { return Ok(()) };
-        let mut passes = |stored: &mut D| {
-            let [fine] = depth.next_fine();
-            let depth = D::from_fine(fine);
-            let passes = function.passes(*stored, depth);
-            if passes && is_written {
-                *stored = depth;
+        let function = self.function;
+        let Some(mut left) = self.run_inside(row, columns.clone()) else { return Ok(()) };
+        let mut start = columns.start;
+        while !left.is_empty() {
+            let passed = pass(left, &mut depth, function);
+            let end = start.wrapping_add(low_index(passed).cast_signed());
+            if passed > 0 {
+                seen(start..end)?;
             }
-            passes
-        };
-        let mut left = stored.iter_mut();
-        while let Some(stored) = left.next() {
-            if passes(stored) {
-                let start = columns.end.wrapping_sub(count_i32(left.len())).wrapping_sub(1);
-                // The first that does not pass ends the part.
-                let end = if left.any(|stored| !passes(stored)) { count_i32(left.len()).wrapping_add(1) } else { 0 };
-                seen(start..columns.end.wrapping_sub(end))?;
-            }
+            left = left.get_mut(passed..).unwrap_or_default();
+            let hidden = hide(left, &mut depth, function);
+            left = left.get_mut(hidden..).unwrap_or_default();
+            start = end.wrapping_add(low_index(hidden).cast_signed());
         }
         Ok(())
     }
@@ -240,15 +260,15 @@ impl<D: Depth + Ord, F: DepthFunction> Hidden for DepthBuffer<'_, D, F> {
         mut depth: Ramp<1>,
         colors: impl Iterator<Item = Option<C>>,
     ) -> impl Iterator<Item = Option<C>> {
-        let (function, is_written) = (self.function, self.is_written);
-        let stored = self.run(row, columns).unwrap_or_default();
+        let function = self.function;
+        let stored = self.run_inside(row, columns).unwrap_or_default();
         stored.iter_mut().zip(colors).map(move |(stored, color)| {
             let [fine] = depth.next_fine();
             let (depth, color) = (D::from_fine(fine), color?);
             if !function.passes(*stored, depth) {
                 return None;
             }
-            if is_written {
+            if F::STORES {
                 *stored = depth;
             }
             Some(color)
@@ -256,9 +276,44 @@ impl<D: Depth + Ord, F: DepthFunction> Hidden for DepthBuffer<'_, D, F> {
     }
 }
 
+/// Tests and stores the depths of the first pixels that pass. Gives their number.
+#[inline]
+fn pass<D: Depth + Ord, F: DepthFunction>(stored: &mut [D], depth: &mut Ramp<1>, function: F) -> usize {
+    let (mut passed, mut next) = (0, depth.clone());
+    for stored in stored {
+        let [fine] = next.next_fine();
+        let nearer = D::from_fine(fine);
+        if !function.passes(*stored, nearer) {
+            break;
+        }
+        if F::STORES {
+            *stored = nearer;
+        }
+        *depth = next.clone();
+        passed += 1;
+    }
+    passed
+}
+
+/// Tests the depths of the first pixels that do not pass. Gives their number.
+#[inline]
+fn hide<D: Depth + Ord, F: DepthFunction>(stored: &[D], depth: &mut Ramp<1>, function: F) -> usize {
+    let (mut hidden, mut next) = (0, depth.clone());
+    for &stored in stored {
+        let [fine] = next.next_fine();
+        if function.passes(stored, D::from_fine(fine)) {
+            break;
+        }
+        *depth = next.clone();
+        hidden += 1;
+    }
+    hidden
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+    use heapless::Vec;
 
     #[test]
     fn runs_address_the_window() {
@@ -284,14 +339,14 @@ mod tests {
     }
 
     /// The parts of a row of stored depths that are seen at a constant depth of 5, and what is stored then.
-    fn seen<F: DepthFunction>(function: F) -> (Vec<Range<i32>>, [u16; 6]) {
+    fn seen<F: DepthFunction>(function: F) -> (Vec<Range<i32>, 6>, [u16; 6]) {
         let mut memory = [0; 6];
         let mut buffer = DepthBuffer::new(&mut memory, Rect::new(0, 0, 6, 1)).unwrap().with_test(function);
         buffer.run(0, 0..6).unwrap().copy_from_slice(&[4, 5, 6, 6, 4, 4]);
         let mut parts = Vec::new();
         let level = Ramp::new([5 << FRACTION_16_15], [0]);
         let take = |part| {
-            parts.push(part);
+            parts.push(part).unwrap();
             Ok::<(), ()>(())
         };
         buffer.split(0, 0..6, level.clone(), take).unwrap();
@@ -299,23 +354,23 @@ mod tests {
         memory = [0; 6];
         let mut buffer = DepthBuffer::new(&mut memory, Rect::new(0, 0, 6, 1)).unwrap().with_test(function);
         buffer.run(0, 0..6).unwrap().copy_from_slice(&[4, 5, 6, 6, 4, 4]);
-        let passed: Vec<_> = buffer.filter(0, 0..6, level, (0..6).map(Some)).flatten().collect();
-        assert_eq!(passed, parts.iter().cloned().flatten().collect::<Vec<_>>(), "both ways agree");
+        let passed: Vec<_, 6> = buffer.filter(0, 0..6, level, (0..6).map(Some)).flatten().collect();
+        assert_eq!(passed, parts.iter().cloned().flatten().collect::<Vec<_, 6>>(), "both ways agree");
         assert_eq!(memory, by_parts);
         (parts, memory)
     }
 
     #[test]
     fn every_test_lets_pass_what_it_says() {
-        assert_eq!(seen(Nearer), (vec![0..1, 4..6], [5, 5, 6, 6, 5, 5]));
+        assert_eq!(seen(Nearer), (Vec::from_iter([0..1, 4..6]), [5, 5, 6, 6, 5, 5]));
         assert_eq!(seen(DepthTest::Nearer), seen(Nearer));
-        assert_eq!(seen(DepthTest::Never), (vec![], [4, 5, 6, 6, 4, 4]));
-        assert_eq!(seen(DepthTest::NotFarther), (vec![0..2, 4..6], [5, 5, 6, 6, 5, 5]));
-        assert_eq!(seen(DepthTest::Equal), (vec![1..2], [4, 5, 6, 6, 4, 4]));
-        assert_eq!(seen(DepthTest::NotEqual), (vec![0..1, 2..6], [5; 6]));
-        assert_eq!(seen(DepthTest::Farther), (vec![2..4], [4, 5, 5, 5, 4, 4]));
-        assert_eq!(seen(DepthTest::NotNearer), (vec![1..4], [4, 5, 5, 5, 4, 4]));
-        assert_eq!(seen(DepthTest::Always), (vec![0..6], [5; 6]));
+        assert_eq!(seen(DepthTest::Never), (Vec::from_iter([]), [4, 5, 6, 6, 4, 4]));
+        assert_eq!(seen(DepthTest::NotFarther), (Vec::from_iter([0..2, 4..6]), [5, 5, 6, 6, 5, 5]));
+        assert_eq!(seen(DepthTest::Equal), (Vec::from_iter([1..2]), [4, 5, 6, 6, 4, 4]));
+        assert_eq!(seen(DepthTest::NotEqual), (Vec::from_iter([0..1, 2..6]), [5; 6]));
+        assert_eq!(seen(DepthTest::Farther), (Vec::from_iter([2..4]), [4, 5, 5, 5, 4, 4]));
+        assert_eq!(seen(DepthTest::NotNearer), (Vec::from_iter([1..4]), [4, 5, 5, 5, 4, 4]));
+        assert_eq!(seen(DepthTest::Always), (Vec::from_iter([0..6]), [5; 6]));
     }
 
     #[test]

@@ -76,7 +76,8 @@ impl<S: Shading, I: Illumination> Surface<'_, S, I> {
     /// What shading may know of the corners.
     #[inline]
     pub(super) fn corners(&self, triangle: &MeshTriangle) -> [Corner; 3] {
-        triangle.corners.map(|index| self.corner(index, triangle.side))
+        let [a, b, c] = triangle.corners;
+        [self.corner(a, triangle.side), self.corner(b, triangle.side), self.corner(c, triangle.side)]
     }
 
     #[inline]

@@ -54,11 +54,12 @@ use embedded_graphics::{geometry::Point, image::GetPixel};
 use crate::{
     colour::Light,
     display::level::{Levels, Shades},
-    num::{bits, index},
+    num::index,
     space::Rect,
     target::{Code, Target, eight, phase, repeated},
     vary::Ramp,
 };
+use ramp::Switches;
 use rank::Cells;
 
 /// At each pixel, how much of the way between two levels the light must exceed to show the brighter one.
@@ -139,6 +140,13 @@ impl Mask for Method {
     fn row(&self, row: i32, column: i32) -> impl Iterator<Item = u16> {
         Cells::new(self.thresholds(row), column)
     }
+
+    #[inline]
+    fn eight(&self, row: i32) -> [u16; 8] {
+        // Four that come twice: what is computed of them is computed once.
+        let &[a, b, c, d] = self.thresholds(row);
+        [a, b, c, d, a, b, c, d]
+    }
 }
 
 /// Takes light and gives the panel's codes, dithered: a [`Target`] of light on a target of colours.
@@ -158,6 +166,8 @@ impl Mask for Method {
 pub struct Dithered<'t, 'l, T, M = Method> {
     target: &'t mut T,
     shades: Shades<'l>,
+    /// For the step of the shades, if any are known.
+    switches: Switches,
     mask: M,
 }
 
@@ -170,7 +180,7 @@ where
     /// With fewer levels than the target has codes, the codes above are not used; codes that the
     /// target does not have lose their upper bits.
     pub const fn new(target: &'t mut T, levels: Levels<'l>) -> Self {
-        Self { target, shades: Shades::new(levels), mask: Method::Ordered4x4 }
+        Self { target, shades: Shades::new(levels), switches: Switches::UNKNOWN, mask: Method::Ordered4x4 }
     }
 }
 
@@ -178,7 +188,7 @@ impl<'t, 'l, T, M> Dithered<'t, 'l, T, M> {
     /// The same by another [`Method`] or another mask.
     #[must_use]
     pub fn with_method<N: Mask>(self, mask: N) -> Dithered<'t, 'l, T, N> {
-        Dithered { target: self.target, shades: self.shades, mask }
+        Dithered { target: self.target, shades: self.shades, switches: Switches::UNKNOWN, mask }
     }
 
     /// A `DrawTarget` of `C`, such as `Gray8` or `Rgb888`: all drawings of embedded-graphics dithered as they are
@@ -270,9 +280,7 @@ where
     }
 
     fn fill_ramp(&mut self, row: i32, columns: Range<i32>, light: Ramp<1>) -> Result<(), T::Error> {
-        let Some(visible) = self.target.bounds().clip_run(row, columns.clone()) else { return Ok(()) };
-        let hidden = bits(visible.start.wrapping_sub(columns.start));
-        self.draw_ramp(row, visible, light.skipped(hidden))
+        self.draw_ramp(row, columns, light)
     }
 }
 

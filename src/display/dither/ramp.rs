@@ -24,17 +24,58 @@ use crate::{
 };
 
 /// Runs that are shorter are dithered pixel by pixel.
-const SHORTEST: usize = 48;
+const SHORTEST: u32 = 48;
+
+/// What lights must reach between two levels to show the brighter one: 16.15 numbers, computed for a row when one asks.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Switches {
+    rows: [[u32; 8]; 8],
+    /// Of which rows, a bit each …
+    known: u8,
+    /// … and between which level and the next.
+    code: u8,
+}
+
+impl Switches {
+    pub(super) const UNKNOWN: Self = Self { rows: [[0; 8]; 8], known: 0, code: 0 };
+
+    /// Those of the columns 0 to 7 of a row, of which every eighth is alike, above the level of a code.
+    #[inline]
+    fn of_row(&mut self, code: u8, row: i32, exceeded: impl FnOnce() -> [u32; 8]) -> &[u32; 8] {
+        let [a, b, c, d, e, f, g, h] = &mut self.rows;
+        let (switches, bit) = match row & 7 {
+            0 => (a, 1),
+            1 => (b, 2),
+            2 => (c, 4),
+            3 => (d, 8),
+            4 => (e, 16),
+            5 => (f, 32),
+            6 => (g, 64),
+            _ => (h, 128),
+        };
+        if self.code != code {
+            (self.code, self.known) = (code, 0);
+        }
+        if self.known & bit == 0 {
+            self.known |= bit;
+            // A light must be greater: at least one more.
+            *switches = exceeded().map(|light| (light + 1) << FRACTION_16_15);
+        }
+        switches
+    }
+}
 
 impl<T: Target, M: Mask> Dithered<'_, '_, T, M>
 where
     T::Color: Code,
 {
-    /// Draws a run that is inside of the target.
+    /// Draws a run in the best way.
+    #[inline]
     pub(super) fn draw_ramp(&mut self, row: i32, columns: Range<i32>, ramp: Ramp<1>) -> Result<(), T::Error> {
-        if M::REPEATS && columns.len() >= SHORTEST {
+        let length = bits(columns.end.wrapping_sub(columns.start));
+        if M::REPEATS && length >= SHORTEST {
             self.draw_rays(row, columns, ramp)
-        } else if M::REPEATS && columns.len() >= 8 && self.is_in_one_step(&columns, &ramp) {
+        } else if M::REPEATS && self.is_in_one_step(length, &ramp) {
             self.draw_in_one_step(row, columns, ramp)
         } else {
             self.write_run(row, columns, ramp.map(|[light]| Some(Light(light))))
@@ -42,32 +83,36 @@ where
     }
 
     /// Whether the run begins and ends between the same two levels.
-    fn is_in_one_step(&mut self, columns: &Range<i32>, ramp: &Ramp<1>) -> bool {
-        let light = |ramp: Ramp<1>| ramp.map(|[light]| Light(light)).next().unwrap_or_default();
-        let last = columns.end.wrapping_sub(columns.start).wrapping_sub(1);
+    #[inline]
+    fn is_in_one_step(&mut self, length: u32, ramp: &Ramp<1>) -> bool {
+        let light = |mut ramp: Ramp<1>| Light(from_16_15(ramp.next_fine()[0]));
         self.shades.move_to(light(ramp.clone()));
-        self.shades.is_at(light(ramp.clone().skipped(bits(last))))
+        self.shades.is_at(light(ramp.clone().skipped(length.wrapping_sub(1))))
     }
 
     /// Pixel by pixel between two levels: one comparison each.
-    fn draw_in_one_step(&mut self, row: i32, columns: Range<i32>, mut ramp: Ramp<1>) -> Result<(), T::Error> {
-        // What a light must reach, with its fraction.
-        let switches = self.shades.switches(self.mask.eight(row)).map(|switch| (switch + 1) << FRACTION_16_15);
+    #[inline]
+    fn draw_in_one_step(&mut self, row: i32, columns: Range<i32>, ramp: Ramp<1>) -> Result<(), T::Error> {
         let code = self.shades.darker();
-        let (dark, bright) = (T::Color::from_code(code), T::Color::from_code(code.wrapping_add(1)));
-        let mut column = columns.start;
-        let codes = core::iter::repeat_with(move || {
-            let switch = switches.get((column & 7).cast_unsigned() as usize).copied().unwrap_or_default();
-            column = column.wrapping_add(1);
-            let [light] = ramp.next_fine();
-            Some(if light >= switch { bright } else { dark })
-        });
-        self.target.write_run(row, columns, codes)
+        let colors = [T::Color::from_code(code), T::Color::from_code(code.wrapping_add(1))];
+        // From a multiple of eight on: what lies before the run is not written.
+        let mut ramp = ramp.skipped(bits(columns.start & 7).wrapping_neg());
+        let (shades, mask) = (&self.shades, &self.mask);
+        let switches = self.switches.of_row(code, row, || shades.switches(mask.eight(row)));
+        self.target.write_bits(row, columns, colors, move || {
+            switches.iter().fold(0, |byte, switch| {
+                let [light] = ramp.next_fine();
+                byte << 1 | u8::from(light >= *switch)
+            })
+        })
     }
 
     /// Fill by fill.
+    #[inline(never)]
     fn draw_rays(&mut self, row: i32, columns: Range<i32>, mut ramp: Ramp<1>) -> Result<(), T::Error> {
-        let thresholds = self.mask.eight(row);
+        let Some(visible) = self.target.bounds().clip_run(row, columns.clone()) else { return Ok(()) };
+        ramp = ramp.skipped(bits(visible.start.wrapping_sub(columns.start)));
+        let (thresholds, columns) = (self.mask.eight(row), visible);
         let mut start = columns.start;
         while start < columns.end {
             let [fine] = ramp.clone().next_fine();

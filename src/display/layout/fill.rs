@@ -39,6 +39,21 @@ impl BitRun {
         Self { first, last, head, tail }
     }
 
+    /// Writes the bytes that the run touches in one line.
+    #[inline]
+    pub(super) fn write(&self, memory: Memory<&mut [u8]>, line: usize, mut next: impl FnMut() -> u8) {
+        let Some((bytes, _)) = memory.from(line, self.first) else { return };
+        match bytes.get_mut(..=self.last.wrapping_sub(self.first)) {
+            Some([only]) => merge(only, self.head & self.tail, next()),
+            Some([first, middle @ .., last]) => {
+                merge(first, self.head, next());
+                middle.fill_with(&mut next);
+                merge(last, self.tail, next());
+            }
+            _ => {}
+        }
+    }
+
     /// Fills the run in some lines with one byte over and over.
     #[inline]
     pub(super) fn fill_solid(&self, memory: Memory<&mut [u8]>, lines: Range<usize>, value: u8) {

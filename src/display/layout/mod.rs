@@ -38,7 +38,7 @@ use core::{marker::PhantomData, ops::Range};
 use crate::{
     display::{blit::Packing, region::Alike},
     num::count,
-    target::Code,
+    target::{Code, bits_of_bytes},
 };
 
 /// Which end of a byte holds the first of its pixels.
@@ -99,6 +99,22 @@ pub trait Layout<C: Copy>: sealed::Sealed + Alike<C> + Packing {
 
     /// Gives the pixels from a column on one colour each; `None` is skipped. They end inside.
     fn write(memory: Memory<&mut [u8]>, row: usize, column: usize, colors: impl Iterator<Item = Option<C>>);
+
+    /// Gives the pixels of some columns of a row one of two colours; `next` gives a bit for each of eight columns, of
+    /// which the first, in the highest bit, is the multiple of eight at or before the first column.
+    ///
+    /// The columns are not empty, and lie inside.
+    #[inline]
+    fn write_bits(
+        (memory, row): (Memory<&mut [u8]>, usize),
+        columns: Range<usize>,
+        [off, on]: [C; 2],
+        next: impl FnMut() -> u8,
+    ) {
+        let width = columns.end.wrapping_sub(columns.start);
+        let visible = bits_of_bytes(next).skip(columns.start & 7).take(width);
+        Self::write(memory, row, columns.start, visible.map(|bit| Some(if bit { on } else { off })));
+    }
 
     /// Gives one pixel inside a colour.
     #[inline]
@@ -232,6 +248,11 @@ impl<C: Code, L: Layout<C>> Layout<C> for Inverted<L> {
     #[inline]
     fn write(memory: Memory<&mut [u8]>, row: usize, column: usize, colors: impl Iterator<Item = Option<C>>) {
         L::write(memory, row, column, colors.map(|color| color.map(inverse)));
+    }
+
+    #[inline]
+    fn write_bits(line: (Memory<&mut [u8]>, usize), columns: Range<usize>, colors: [C; 2], next: impl FnMut() -> u8) {
+        L::write_bits(line, columns, colors.map(inverse), next);
     }
 
     #[inline]

@@ -3,7 +3,10 @@
 use core::{marker::PhantomData, ops::Range};
 
 use super::{BitRun, Layout, Memory, MsbFirst, Order, Shape, merge};
-use crate::{num::low_index, target::Code};
+use crate::{
+    num::low_index,
+    target::{Code, bits_of_bytes},
+};
 
 /// Rows of pixels from the left, each row padded to whole bytes; 1, 2, 4 or 8 bits a pixel.
 ///
@@ -76,6 +79,26 @@ impl<C: Code, O: Order> Layout<C> for Rows<O> {
         if let Some(byte) = bytes.next() {
             merge(byte, mask, value);
         }
+    }
+
+    #[inline]
+    fn write_bits(
+        (memory, row): (Memory<&mut [u8]>, usize),
+        columns: Range<usize>,
+        [off, on]: [C; 2],
+        mut next: impl FnMut() -> u8,
+    ) {
+        if C::BITS == 1 {
+            let (off, differ) = (repeat::<C>(off), repeat::<C>(off) ^ repeat::<C>(on));
+            BitRun::new::<O>(columns).write(memory, row, || {
+                let bits = if O::MSB_FIRST { next() } else { next().reverse_bits() };
+                off ^ (bits & differ)
+            });
+            return;
+        }
+        let width = columns.end.wrapping_sub(columns.start);
+        let visible = bits_of_bytes(next).skip(columns.start & 7).take(width);
+        Self::write(memory, row, columns.start, visible.map(|bit| Some(if bit { on } else { off })));
     }
 
     #[inline]
