@@ -24,7 +24,9 @@ pub mod angle {
     pub use crate::angle::Angle;
 }
 pub mod face;
+pub mod inverse;
 pub mod light;
 pub mod projection;
+pub mod quaternion;
 pub mod transform;
 pub mod viewport;

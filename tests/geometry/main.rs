@@ -2,6 +2,8 @@
 
 mod chain;
 mod face;
+mod inverse;
+mod quaternion;
 mod transform;
 mod viewport;
 
