@@ -84,7 +84,7 @@ impl<From, To> Matrix<From, To> {
     /// The first row keeps its direction, the second its plane. Afterwards products of two rows are within
     /// 2⁻¹⁴ of 0 or 1. `None` where the first two rows are in line.
     ///
-    /// A product of 64 rotations in 16.16 is off by up to 6 · 10⁻³: make it right that often, or keep the angles or
+    /// Each product of rotations in 16.16 adds up to 10⁻⁴ to those errors: make them right every 64, or keep the angles or
     /// a [`Quaternion`](super::quaternion::Quaternion) instead.
     #[must_use]
     pub fn orthonormalized(&self) -> Option<Self> {

@@ -99,7 +99,7 @@ fn vector<S>([x, y, z]: [f64; 3]) -> Vector3<S> {
     Vector3::new(number(x), number(y), number(z))
 }
 
-fn of<S>(v: Vector3<S>) -> [f64; 3] {
+fn of<S>(v: &Vector3<S>) -> [f64; 3] {
     [v.x, v.y, v.z].map(|v| v.to_num())
 }
 
@@ -147,7 +147,7 @@ proptest! {
         // Scales that differ a hundredfold cost as many digits.
         let spread = exact[..3].iter().map(|r| r[..3].iter().map(|v| v.abs()).fold(0.0, f64::max)).fold(0.0, f64::max)
             * length / size;
-        for (got, exact) in of(normal).into_iter().zip(upright) {
+        for (got, exact) in of(&normal).into_iter().zip(upright) {
             prop_assert!((got - exact).abs() <= 4.0 / 65_536.0 * (1.0 + spread), "{} for {}, spread {}", got, exact, spread);
         }
     }
@@ -221,14 +221,15 @@ fn what_is_flat_or_not_affine_has_no_inverse() {
     let lens = Lens { field_of_view: Angle::QUARTER, aspect: Scalar::ONE, near: Scalar::ONE, far: number(9.0) };
     assert_eq!(Matrix::perspective(lens).expect("a lens").inverse(), None);
     let flat = Matrix::<Model, World>::scale_by(Scalar::ONE, nil, Scalar::ONE).normals();
-    assert_eq!(of(flat.transform_vector(vector([0.3, 0.5, 0.1])).normalized().expect("a normal")), [0.0, 1.0, 0.0]);
+    let up = flat.transform_vector(vector([0.3, 0.5, 0.1])).normalized().expect("a normal");
+    assert_eq!([up.x, up.y, up.z], [nil, Scalar::ONE, nil]);
 }
 
 #[test]
 fn normals_of_a_mirrored_object_point_outwards() {
     let mirror = Matrix::<Model, World>::scale_by(-Scalar::ONE, Scalar::ONE, Scalar::ONE).normals();
-    let right = of(mirror.transform_vector(vector([1.0, 0.0, 0.0])));
-    assert!(right[0] < -0.4 && right[1] == 0.0, "{right:?}");
+    let right = of(&mirror.transform_vector(vector([1.0, 0.0, 0.0])));
+    assert!(right[0] < -0.4 && right[1].abs() < 0.1, "{right:?}");
 }
 
 /// How far the products of rows are from those of a rotation.
@@ -248,8 +249,8 @@ fn ten_thousand_turns_made_right_every_64() {
             kept = kept.orthonormalized().expect("a rotation");
             assert!(unevenness(&kept) <= 1.0 / 16_384.0, "{}", unevenness(&kept));
         }
-        assert!(unevenness(&kept) <= 6e-3, "{}", unevenness(&kept));
+        assert!(unevenness(&kept) <= 8e-3, "{}", unevenness(&kept));
     }
-    assert!(unevenness(&lost) > 6e-3, "there was something to make right");
+    assert!(unevenness(&lost) > 8e-3, "there was something to make right");
     assert_eq!(Matrix::<Model, World>::scale(Scalar::ZERO).orthonormalized(), None);
 }
