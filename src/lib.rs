@@ -65,6 +65,7 @@ pub mod curve;
 mod edge;
 mod em;
 mod error;
+pub mod illumination;
 mod lines;
 mod matrix;
 mod num;
@@ -137,6 +138,7 @@ pub use fragment::{
     pattern::{Pattern, Stencil},
     picture::PictureInk,
 };
+pub use illumination::Illumination;
 pub use matrix::Matrix;
 pub use model::hershey::Hershey;
 #[cfg(feature = "ttf")]

@@ -25,6 +25,7 @@ use crate::{
         viewport::{ScreenPoint, Viewport},
     },
     hidden::depth::{DepthBuffer, is_nearer},
+    illumination::Illumination,
     matrix::Matrix,
     model::mesh::Mesh,
     num::{Scalar, high_u16},
@@ -153,11 +154,11 @@ fn process_vertices(instance: &Instance<'_>, camera: &Camera, transform: &MeshTr
     let lamp = camera.lamp.in_model_space(&instance.placement);
     let mesh = instance.mesh;
     for ((vertex, &position), &normal) in vertices.iter_mut().zip(mesh.positions()).zip(mesh.normals()) {
-        let point = transform.apply(position);
+        let (point, light) = (transform.apply(position), lamp.on_vertex(position, normal));
         *vertex = if volume::outcode(&point) == 0 {
-            MeshVertex::new(camera.viewport.project(&point), lamp.on(normal))
+            MeshVertex::new(camera.viewport.project(&point), light)
         } else {
-            MeshVertex { light: lamp.on(normal), ..MeshVertex::UNPROJECTED }
+            MeshVertex { light, ..MeshVertex::UNPROJECTED }
         };
     }
 }

@@ -12,7 +12,7 @@
 use super::transform::cross;
 use crate::{
     matrix::Matrix,
-    num::{Scalar, divide_round, saturate_i32},
+    num::{Scalar, divide_round, saturate_i32, saturate_u32},
     space::{Point3, Point4, Vector3, View, World},
 };
 
@@ -115,6 +115,19 @@ impl<From, To> Matrix<From, To> {
             over_square(sum, square)
         });
         Some(Point3::new(x?, y?, z?))
+    }
+
+    /// The square of the scale in 32.32, as a mean of all axes.
+    fn mean_square(&self) -> u64 {
+        let [x, y, z, _] = self.rows();
+        let elements = [x, y, z].into_iter().flat_map(|row| row.iter().take(3));
+        let squares = elements.map(|v| u64::from(v.to_bits().unsigned_abs()).pow(2));
+        squares.map(|square| square / 3).fold(0, u64::saturating_add)
+    }
+
+    /// How much larger things become, as a mean of all axes, in units of 2⁻¹⁶.
+    pub(super) fn mean_scale(&self) -> u32 {
+        saturate_u32(self.mean_square().isqrt())
     }
 
     /// What each of the upper left 3 × 3 elements is multiplied by in the determinant. They fit 64 bits: the

@@ -24,8 +24,10 @@ pub mod angle {
     pub use crate::angle::Angle;
 }
 pub mod face;
+pub mod fog;
 pub mod inverse;
 pub mod light;
+pub mod lights;
 pub mod projection;
 pub mod quaternion;
 pub mod transform;

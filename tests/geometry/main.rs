@@ -3,6 +3,7 @@
 mod chain;
 mod face;
 mod inverse;
+mod light;
 mod quaternion;
 mod transform;
 mod viewport;
