@@ -138,6 +138,7 @@ pub use fragment::{
     pattern::{Pattern, Stencil},
     picture::PictureInk,
 };
+pub use illumination::Illumination;
 pub use matrix::Matrix;
 pub use model::hershey::Hershey;
 #[cfg(feature = "ttf")]

@@ -184,6 +184,13 @@ pub(crate) const fn low_index(value: usize) -> u32 {
     value as u32
 }
 
+/// The low 16 bits, read as a signed number.
+#[inline]
+#[expect(clippy::cast_possible_truncation, reason = "modulo 2^16 by intent")]
+pub(crate) const fn low_i16(value: i32) -> i16 {
+    value as i16
+}
+
 /// The nearest `i16`.
 #[inline]
 #[expect(clippy::cast_possible_truncation, reason = "in range after the tests")]

@@ -24,7 +24,11 @@ pub mod angle {
     pub use crate::angle::Angle;
 }
 pub mod face;
+pub mod fog;
+pub mod inverse;
 pub mod light;
+pub mod lights;
 pub mod projection;
+pub mod quaternion;
 pub mod transform;
 pub mod viewport;

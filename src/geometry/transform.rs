@@ -1,10 +1,10 @@
 //! Vertex transforms: turning, moving, scaling, looking. Lecture 2.2.2.
 
 use crate::{
-    angle::Angle,
+    angle::{Angle, sine_and_cosine},
     error::OutOfRange,
     matrix::Matrix,
-    num::{Scalar, divide_round, saturate_i32},
+    num::{Scalar, divide_round, low_i32, saturate_i32},
     space::{CLIP_LIMIT, Clip, Model, Point3, Point4, Vector3, View, World},
 };
 
@@ -39,23 +39,50 @@ impl<From, To> Matrix<From, To> {
         Self::from_rows([[ONE, NIL, NIL, x], [NIL, ONE, NIL, y], [NIL, NIL, ONE, z], [NIL, NIL, NIL, ONE]])
     }
 
+    /// Turns about an axis of any length but zero, counter-clockwise for whom the axis points at.
+    ///
+    /// Each element is within 2⁻¹⁴ of the exact one. `None` for the zero vector.
+    ///
+    /// ```
+    /// use aquatint::{Angle, Matrix, Model, Scalar, Vector3, World};
+    ///
+    /// let up = Vector3::new(Scalar::ZERO, Scalar::from_num(7), Scalar::ZERO);
+    /// let turned = Matrix::<Model, World>::rotation_about(up, Angle::QUARTER).unwrap();
+    /// assert_eq!(turned, Matrix::rotation_y(Angle::QUARTER));
+    /// ```
+    #[must_use]
+    pub fn rotation_about(axis: Vector3<From>, angle: Angle) -> Option<Self> {
+        let axis = axis.normalized()?;
+        let [x, y, z] = [axis.x, axis.y, axis.z].map(|v| i64::from(v.to_bits()));
+        let (sin, cos) = sine_and_cosine(u32::from(angle.0) << 16);
+        let (sin, cos, rest) = (sin >> 7, cos >> 7, ((1 << 31) - cos) >> 7); // 24 fraction bits
+        // Rodrigues: cos on the diagonal, and of the products of axes what cos leaves, and of the axes the sine.
+        let element = |product: i64, across: i64, diagonal: i64| {
+            let sum = rest * product + ((sin * across + (diagonal << 16)) << 16);
+            Scalar::from_bits(low_i32((sum + (1 << 39)) >> 40))
+        };
+        Some(Self::from_rows([
+            [element(x * x, 0, cos), element(x * y, -z, 0), element(x * z, y, 0), NIL],
+            [element(y * x, z, 0), element(y * y, 0, cos), element(y * z, -x, 0), NIL],
+            [element(z * x, -y, 0), element(z * y, x, 0), element(z * z, 0, cos), NIL],
+            [NIL, NIL, NIL, ONE],
+        ]))
+    }
+
     /// Scales all three axes alike.
     #[must_use]
     pub const fn scale(by: Scalar) -> Self {
-        Self::from_rows([[by, NIL, NIL, NIL], [NIL, by, NIL, NIL], [NIL, NIL, by, NIL], [NIL, NIL, NIL, ONE]])
+        Self::scale_by(by, by, by)
+    }
+
+    /// Scales each axis by its own factor. Normals then turn by [`normals`](Self::normals).
+    #[must_use]
+    pub const fn scale_by(x: Scalar, y: Scalar, z: Scalar) -> Self {
+        Self::from_rows([[x, NIL, NIL, NIL], [NIL, y, NIL, NIL], [NIL, NIL, z, NIL], [NIL, NIL, NIL, ONE]])
     }
 }
 
 impl Matrix<World, View> {
-    /// The place of the eye.
-    #[must_use]
-    pub fn eye(&self) -> Point3<World> {
-        let [a, b, c, _] = self.rows();
-        let v = Vector3::<View>::new(negated(a[3]), negated(b[3]), negated(c[3]));
-        let e = self.unrotate_vector(v);
-        Point3::new(e.x, e.y, e.z)
-    }
-
     /// The camera at `eye` that looks at `centre`, with `up` upwards on the screen.
     ///
     /// `None` when the eye is at the centre, or looks along `up`. The distance between the two
@@ -69,8 +96,8 @@ impl Matrix<World, View> {
             difference(eye.z, centre.z),
         );
         let back = back.normalized()?;
-        let right = cross(up.normalized()?, back).normalized()?;
-        let up = cross(back, right);
+        let right = cross(&up.normalized()?, &back).normalized()?;
+        let up = cross(&back, &right);
         let turn = |axis: Vector3<World>| [axis.x, axis.y, axis.z, NIL];
         let turned = Matrix::<World, View>::from_rows([turn(right), turn(up), turn(back), [NIL, NIL, NIL, ONE]]);
         let moved = Matrix::<World, World>::translation(negated(eye.x), negated(eye.y), negated(eye.z));
@@ -83,7 +110,7 @@ fn negated(value: Scalar) -> Scalar {
 }
 
 /// Cross product of two vectors of length 1 at most.
-fn cross(a: Vector3<World>, b: Vector3<World>) -> Vector3<World> {
+pub(super) fn cross<S>(a: &Vector3<S>, b: &Vector3<S>) -> Vector3<S> {
     let part = |p: Scalar, q: Scalar, r: Scalar, s: Scalar| {
         let [p, q, r, s] = [p, q, r, s].map(|v| i64::from(v.to_bits()));
         Scalar::from_bits(saturate_i32(divide_round(p * q - r * s, 1 << 16)))

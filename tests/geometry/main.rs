@@ -2,6 +2,9 @@
 
 mod chain;
 mod face;
+mod inverse;
+mod light;
+mod quaternion;
 mod transform;
 mod viewport;
 

@@ -1,7 +1,7 @@
 //! Rays cast in floating point: what the pipeline must show. Lecture 5.2.
 
 use aquatint::{
-    Light, Point3,
+    Illumination, Light, Point3,
     pipeline::{Camera, Instance, Scene},
 };
 
@@ -30,7 +30,7 @@ pub fn faces(instance: &Instance, scene: &Scene) -> Vec<Face> {
     };
     let face = |triangle: &[u16; 3]| Face {
         corners: triangle.map(|i| place(instance.mesh.positions()[usize::from(i)])),
-        light: lamp.on(instance.mesh.normals()[usize::from(triangle[0])]),
+        light: lamp.on_vertex([0; 3], instance.mesh.normals()[usize::from(triangle[0])]),
     };
     instance.mesh.triangles().iter().map(face).collect()
 }
