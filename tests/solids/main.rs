@@ -1,0 +1,74 @@
+//! Solids in every fill mode: against a reference in doubles, and against probes that other renderers have failed.
+
+mod compare;
+#[path = "../exact/mod.rs"]
+mod exact;
+mod meshes;
+mod models;
+mod probes;
+mod reference;
+mod renderer;
+
+use exact::Random;
+
+/// All checks for each fill mode.
+macro_rules! fill_modes {
+    ($($mode:ident: $renderer:ty),* $(,)?) => { $(
+        mod $mode {
+            use super::{meshes, probes, renderer};
+
+            #[test]
+            fn cubes_in_a_thousand_poses() {
+                meshes::cubes::<$renderer>();
+            }
+
+            #[test]
+            fn tori_in_a_thousand_poses() {
+                meshes::tori::<$renderer>();
+            }
+
+            #[test]
+            fn bunnies_in_a_thousand_poses() {
+                meshes::bunnies::<$renderer>();
+            }
+
+            #[test]
+            fn shared_edges_are_drawn_once() {
+                probes::shared_edges::are_drawn_once::<$renderer>();
+            }
+
+            #[test]
+            fn triangles_through_the_near_plane() {
+                probes::near_plane::six_cases::<$renderer>();
+                probes::near_plane::anywhere::<$renderer>();
+            }
+
+            #[test]
+            fn shared_edges_that_are_cut_are_watertight() {
+                probes::watertight::cut_edges::<$renderer>();
+            }
+
+            #[test]
+            fn far_vertices() {
+                probes::far_vertices::cover_all_or_are_refused::<$renderer>();
+            }
+
+            #[test]
+            fn triangles_without_area_and_slivers() {
+                probes::degenerate::without_area::<$renderer>();
+                probes::degenerate::slivers::<$renderer>();
+                probes::degenerate::ties::<$renderer>();
+            }
+
+            #[test]
+            fn walls_behind_and_through_walls() {
+                probes::depth_pairs::one_behind_the_other::<$renderer>();
+                probes::depth_pairs::one_through_the_other::<$renderer>();
+            }
+        }
+    )* };
+}
+
+fill_modes! {
+    gouraud: renderer::Gouraud,
+}

@@ -1,0 +1,77 @@
+//! Closed meshes: a cube, a torus and a bunny.
+
+use core::f64::consts::TAU;
+
+use aquatint::{Rect, model::mesh::Mesh};
+
+use super::renderer::{Scene, camera, place};
+
+const BUNNY: Mesh<'static> = include!("../../examples/assets/bunny.rs");
+
+/// A mesh to be placed. Its coordinates are within 2.
+pub struct Model {
+    pub name: &'static str,
+    positions: Vec<[i16; 3]>,
+    normals: Vec<[i8; 3]>,
+    triangles: Vec<[u16; 3]>,
+}
+
+impl Model {
+    /// The mesh in a pose.
+    pub fn scene(&self, placement: aquatint::Matrix<aquatint::Model, aquatint::World>, view: Rect) -> Scene {
+        Scene {
+            positions: self.positions.clone(),
+            normals: self.normals.clone(),
+            uvs: vec![[0.0; 2]; self.positions.len()],
+            triangles: self.triangles.clone(),
+            placement,
+            camera: camera(view),
+        }
+    }
+}
+
+/// Edge 2, normals along the diagonals.
+pub fn cube() -> Model {
+    let side = |vertex: usize, axis: usize| if vertex >> axis & 1 == 1 { 1.0 } else { -1.0 };
+    let faces = [[1, 3, 7, 5], [0, 4, 6, 2], [2, 6, 7, 3], [0, 1, 5, 4], [4, 5, 7, 6], [0, 2, 3, 1]];
+    Model {
+        name: "cube",
+        positions: (0..8).map(|vertex| place([0, 1, 2].map(|axis| side(vertex, axis)))).collect(),
+        normals: (0..8).map(|vertex| normal([0, 1, 2].map(|axis| side(vertex, axis) / 3_f64.sqrt()))).collect(),
+        triangles: faces.into_iter().flat_map(|[a, b, c, d]| [[a, b, c], [a, c, d]]).collect(),
+    }
+}
+
+/// 28 × 18 segments about the z axis, radii 1 and 0.5.
+pub fn torus() -> Model {
+    let (around, across) = (28, 18);
+    let segments = || (0..around).flat_map(move |i| (0..across).map(move |j| (i, j)));
+    let (mut positions, mut normals) = (vec![], vec![]);
+    for (i, j) in segments() {
+        let (u, v) = (f64::from(i) / f64::from(around) * TAU, f64::from(j) / f64::from(across) * TAU);
+        let from_axis = 1.0 + 0.5 * v.cos();
+        positions.push(place([from_axis * u.cos(), from_axis * u.sin(), 0.5 * v.sin()]));
+        normals.push(normal([v.cos() * u.cos(), v.cos() * u.sin(), v.sin()]));
+    }
+    let at = |i: u16, j: u16| i % around * across + j % across;
+    let faces = segments().flat_map(|(i, j)| {
+        let [a, b, c, d] = [at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)];
+        [[a, b, c], [a, c, d]]
+    });
+    Model { name: "torus", positions, normals, triangles: faces.collect() }
+}
+
+/// That of the examples.
+pub fn bunny() -> Model {
+    Model {
+        name: "bunny",
+        positions: BUNNY.positions().to_vec(),
+        normals: BUNNY.normals().to_vec(),
+        triangles: BUNNY.triangles().to_vec(),
+    }
+}
+
+#[expect(clippy::cast_possible_truncation, reason = "a float-to-int cast saturates")]
+fn normal(unit: [f64; 3]) -> [i8; 3] {
+    unit.map(|v| (v * 127.0).round() as i8)
+}
