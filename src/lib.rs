@@ -105,7 +105,10 @@ pub use arc::{Arc, Chord, Oval, Sector};
 pub use blend::{Alpha, Blend, BlendMode};
 pub use clip::{
     bounds::{BoundingBox, BoundingCircle, Verdict},
+    clip_plane::ClipPlane,
     convex::ConvexWindow,
+    half_space::HalfSpace,
+    vertex::ClipVertex,
     window::ClipWindow,
 };
 pub use colour::Light;
