@@ -139,6 +139,7 @@ pub use fragment::{
     motion::Exposure,
     pattern::{Pattern, Stencil},
     picture::PictureInk,
+    texture::{Sampler, Texture, TextureError},
 };
 pub use matrix::Matrix;
 pub use model::hershey::Hershey;

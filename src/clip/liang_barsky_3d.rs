@@ -58,11 +58,10 @@ pub fn clip_to<V: Cut, B: Boundary<V>>(
     let (mut enters, mut leaves) = (None::<Parameter>, None::<Parameter>);
     for boundary in boundaries {
         match Meeting::of(boundary.distance(&start), boundary.distance(&end)) {
-            Meeting::Inside => {}
             Meeting::Outside => return None,
             Meeting::Enters(place) if enters.is_none_or(|last| place.is_after(last)) => enters = Some(place),
             Meeting::Leaves(place) if leaves.is_none_or(|first| first.is_after(place)) => leaves = Some(place),
-            Meeting::Enters(_) | Meeting::Leaves(_) => {}
+            Meeting::Inside | Meeting::Enters(_) | Meeting::Leaves(_) => {}
         }
     }
     if enters.zip(leaves).is_some_and(|(enters, leaves)| enters.is_after(leaves)) {

@@ -1,4 +1,5 @@
 //! Clipping in space against exact arithmetic, on random and hostile input.
+#![expect(clippy::cast_precision_loss, reason = "oracles with a margin")]
 
 #[path = "../exact/mod.rs"]
 mod exact;
