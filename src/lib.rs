@@ -104,9 +104,12 @@ pub use angle::Angle;
 pub use arc::{Arc, Chord, Oval, Sector};
 pub use blend::{Alpha, Blend, BlendMode};
 pub use clip::{
+    bounding_box_3d::BoundingBox3,
+    bounding_sphere::BoundingSphere,
     bounds::{BoundingBox, BoundingCircle, Verdict},
     clip_plane::ClipPlane,
     convex::ConvexWindow,
+    frustum::Frustum,
     half_space::HalfSpace,
     vertex::ClipVertex,
     window::ClipWindow,

@@ -9,7 +9,7 @@
 //! - **Takes** a normal of any length, and a point of the plane or an offset.
 //! - **Gives** a [`Boundary`] for [lines](super::liang_barsky_3d::clip_to) and
 //!   [polygons](super::sutherland_hodgman) of that space; a [`ClipPlane`](super::clip_plane::ClipPlane) for vertices that
-//!   have been projected already; a side for [bounding volumes](super::bounding).
+//!   have been projected already; a side for [bounding volumes](super::frustum::BoundingVolume).
 //! - **Cost** a distance is three products of 32 by 32 bits, exact in 64 bits for every point.
 #![expect(clippy::needless_pass_by_value, reason = "points are copied; their space need not be `Copy` to say so")]
 
@@ -43,7 +43,7 @@ const NORMAL_LIMIT: u32 = 1 << 29;
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct HalfSpace<S> {
     pub(super) normal: [i32; 3],
-    /// With 32 fraction bits, nearer to zero than 2⁶².
+    /// With 32 fraction bits, at most 3·2⁶⁰.
     pub(super) offset: i64,
     /// Of the normal, rounded up.
     length: u32,
@@ -72,15 +72,13 @@ impl<S> HalfSpace<S> {
         Self::of_bits([normal.x, normal.y, normal.z].map(Scalar::to_bits), offset)
     }
 
-    /// From a normal with 16 fraction bits and an offset with 32, below 2⁶².
+    /// From a normal with 16 fraction bits and an offset with 32, at most 3·2⁶⁰.
     pub(super) fn of_bits(normal: [i32; 3], offset: i64) -> Result<Self, OutOfRange> {
         if normal.iter().any(|v| v.unsigned_abs() > NORMAL_LIMIT) {
             return Err(OutOfRange);
         }
-        let square: u64 = normal.iter().map(|v| u64::from(v.unsigned_abs()).pow(2)).sum();
-        let root = square.isqrt();
-        let length = saturate_u32(root + u64::from(root * root < square));
-        Ok(Self { normal, offset, length, space: PhantomData })
+        let square = normal.iter().map(|v| u64::from(v.unsigned_abs()).pow(2)).sum();
+        Ok(Self { normal, offset, length: saturate_u32(root_up(square)), space: PhantomData })
     }
 
     /// The other side, the plane included.
@@ -97,14 +95,8 @@ impl<S> HalfSpace<S> {
 
     /// How far inside a point is, times the length of the normal, with 32 fraction bits; below 2⁶³.
     pub(super) fn distance_of(&self, point: &Point3<S>) -> i64 {
-        let [x, y, z] = [point.x, point.y, point.z].map(Scalar::to_bits);
-        self.dot([x, y, z]) + self.offset
-    }
-
-    /// The product of the normal and a place; below 2⁶².
-    pub(super) fn dot(&self, place: [i32; 3]) -> i64 {
-        let products = self.normal.iter().zip(place).map(|(&normal, v)| i64::from(normal) * i64::from(v));
-        products.sum()
+        let products = self.normal.iter().zip(bits_of(point)).map(|(&normal, v)| i64::from(normal) * i64::from(v));
+        products.sum::<i64>() + self.offset
     }
 
     /// The length of the normal, rounded up, with 16 fraction bits; at most 2³⁰.
@@ -117,4 +109,20 @@ impl<S> Boundary<Point3<S>> for HalfSpace<S> {
     fn distance(&self, vertex: &Point3<S>) -> i64 {
         self.distance_of(vertex)
     }
+}
+
+/// The coordinates of a point, in units of 2⁻¹⁶.
+pub(super) fn bits_of<S>(point: &Point3<S>) -> [i32; 3] {
+    [point.x, point.y, point.z].map(Scalar::to_bits)
+}
+
+/// The point with such coordinates.
+pub(super) const fn point_at<S>([x, y, z]: [i32; 3]) -> Point3<S> {
+    Point3::new(Scalar::from_bits(x), Scalar::from_bits(y), Scalar::from_bits(z))
+}
+
+/// The square root, rounded up.
+pub(super) const fn root_up(square: u64) -> u64 {
+    let root = square.isqrt();
+    if root * root < square { root + 1 } else { root }
 }

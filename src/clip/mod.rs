@@ -9,6 +9,7 @@
 //!   in space, before the perspective divide:
 //!   line      ──▶ cohen_sutherland_3d, liang_barsky_3d ──▶ the line inside of the view, or of any planes
 //!   polygon   ──▶ sutherland_hodgman_3d ───────────▶ the polygon inside of clip planes and the view
+//!   shape     ──▶ bounding_box_3d, bounding_sphere ▶ outside, inside or to be clipped (frustum); collisions
 //! ```
 //!
 //! - **Takes** lines and points of whole pixels or of sixteenths, against a rectangle ([`window`]); polygons with
@@ -22,12 +23,15 @@
 //! not used before a two-dimensional fill or line: rounding the new ends would move the pixels of
 //! almost every clipped line, and the rasterisers restrict themselves to the window exactly.
 
+pub mod bounding_box_3d;
+pub mod bounding_sphere;
 pub mod bounds;
 pub mod clip_plane;
 pub mod cohen_sutherland;
 pub mod cohen_sutherland_3d;
 pub mod convex;
 mod crossing;
+pub mod frustum;
 pub mod half_space;
 pub mod liang_barsky;
 pub mod liang_barsky_3d;

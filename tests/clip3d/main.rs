@@ -4,6 +4,7 @@
 #[path = "../exact/mod.rs"]
 mod exact;
 
+mod bounding;
 mod lines;
 mod oracle;
 mod pictures;

@@ -12,7 +12,7 @@ fn scalar(value: f64) -> Scalar {
 }
 
 /// A camera somewhere, that looks somewhere, with some lens.
-fn cameras() -> impl Strategy<Value = Matrix<World, Clip>> {
+pub fn cameras() -> impl Strategy<Value = Matrix<World, Clip>> {
     let turns = prop::array::uniform3(0.0..360.0_f32);
     (turns, prop::array::uniform3(-20.0..20.0_f64), 20.0..100.0_f32, 0.125..1.0_f64, 20.0..300.0_f64).prop_map(
         |([x, y, z], [dx, dy, dz], field, near, far)| {
