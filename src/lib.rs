@@ -105,8 +105,14 @@ pub use angle::Angle;
 pub use arc::{Arc, Chord, Oval, Sector};
 pub use blend::{Alpha, Blend, BlendMode};
 pub use clip::{
+    bounding_box_3d::BoundingBox3,
+    bounding_sphere::BoundingSphere,
     bounds::{BoundingBox, BoundingCircle, Verdict},
+    clip_plane::ClipPlane,
     convex::ConvexWindow,
+    frustum::Frustum,
+    half_space::HalfSpace,
+    vertex::ClipVertex,
     window::ClipWindow,
 };
 pub use colour::Light;
@@ -137,6 +143,7 @@ pub use fragment::{
     motion::Exposure,
     pattern::{Pattern, Stencil},
     picture::PictureInk,
+    texture::{Sampler, Texture, TextureError},
 };
 pub use illumination::Illumination;
 pub use matrix::Matrix;

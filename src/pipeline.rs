@@ -32,7 +32,7 @@ use crate::{
     illumination::Illumination,
     matrix::Matrix,
     model::mesh::Mesh,
-    space::{Clip, Model, View, World},
+    space::{Clip, Model, Point3, View, World},
     target::Target,
     vary::Varying,
 };
@@ -179,7 +179,8 @@ where
     let transform = MeshTransform::new(&to_clip).map_err(|OutOfRange| DrawError::OutOfRange)?;
     let needed = mesh.positions().len();
     let vertices = workspace.vertices.get_mut(..needed).ok_or(DrawError::TooFewVertices { needed })?;
-    let lit = Lit { placement, eye: view.eye(), surface: material.surface };
+    let eye = if L::NEEDS_EYE { view.eye() } else { Point3::ORIGIN };
+    let lit = Lit { placement, eye, surface: material.surface };
     let surface = Surface {
         mesh: *mesh,
         shading: &material.shading,

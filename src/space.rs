@@ -77,6 +77,9 @@ pub struct Point4<S> {
 }
 
 impl<S> Point3<S> {
+    /// Where all coordinates are zero.
+    pub const ORIGIN: Self = Self::new(Scalar::ZERO, Scalar::ZERO, Scalar::ZERO);
+
     /// A point from its coordinates.
     #[must_use]
     pub const fn new(x: Scalar, y: Scalar, z: Scalar) -> Self {

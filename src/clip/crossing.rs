@@ -11,7 +11,7 @@
 //! place from both ends: two polygons that share an edge still share it when both have been cut.
 
 use crate::{
-    num::{Subpixel, saturate_u16, saturate_u32},
+    num::{Scalar, Subpixel, saturate_u16, saturate_u32},
     space::Point2,
     vary::Vertex,
 };
@@ -33,10 +33,7 @@ impl Cut for Point2 {
 
 impl<const N: usize> Cut for Vertex<N> {
     fn cut(inside: Self, outside: Self, crossing: Crossing) -> Self {
-        let mut attributes = inside.attributes;
-        for (attribute, outside) in attributes.iter_mut().zip(outside.attributes) {
-            *attribute = crossing.attribute(*attribute, outside);
-        }
+        let attributes = crossing.attributes(inside.attributes, outside.attributes);
         Self { position: Cut::cut(inside.position, outside.position, crossing), attributes }
     }
 }
@@ -67,6 +64,11 @@ impl Crossing {
         Self { part: part as u64, whole: whole as u64 }
     }
 
+    /// The place after `part` of `whole` of the way from inside; `part ≤ whole`.
+    pub(super) const fn of(part: u64, whole: u64) -> Self {
+        Self { part, whole }
+    }
+
     /// How much of the edge lies inside, as a numerator and a denominator.
     #[must_use]
     pub const fn fraction(self) -> (u64, u64) {
@@ -85,6 +87,20 @@ impl Crossing {
     #[must_use]
     pub const fn attribute(self, inside: u16, outside: u16) -> u16 {
         saturate_u16(self.between(inside as i32, outside as i32).nearest as i64)
+    }
+
+    /// [`attribute`](Self::attribute) for a list of them.
+    pub(super) fn attributes<const N: usize>(self, mut inside: [u16; N], outside: [u16; N]) -> [u16; N] {
+        for (attribute, outside) in inside.iter_mut().zip(outside) {
+            *attribute = self.attribute(*attribute, outside);
+        }
+        inside
+    }
+
+    /// [`coordinate`](Self::coordinate) for a 16.16 number.
+    #[must_use]
+    pub const fn scalar(self, inside: Scalar, outside: Scalar) -> Scalar {
+        Scalar::from_bits(self.coordinate(inside.to_bits(), outside.to_bits()))
     }
 
     /// The value at the boundary, and the whole numbers around it.

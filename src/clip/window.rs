@@ -189,6 +189,13 @@ pub trait Boundary<V> {
     fn distance(&self, vertex: &V) -> i64;
 }
 
+impl<V, B: Boundary<V>> Boundary<V> for &B {
+    #[inline]
+    fn distance(&self, vertex: &V) -> i64 {
+        (**self).distance(vertex)
+    }
+}
+
 impl<P: PlanePoint> Boundary<P> for HalfPlane {
     fn distance(&self, vertex: &P) -> i64 {
         HalfPlane::distance(*self, vertex.coordinates())

@@ -22,6 +22,8 @@ use crate::{
 pub trait Lighting {
     /// The same, as one object sees it.
     type Illumination: Illumination;
+    /// Whether it depends on where it is seen from, as highlights do.
+    const NEEDS_EYE: bool = true;
 
     /// Turns everything into the object's own space, once for each object of a picture.
     fn for_object(&self, object: &Lit<'_>) -> Self::Illumination;
@@ -105,6 +107,7 @@ impl Lamp {
 
 impl Lighting for Lamp {
     type Illumination = ModelLamp;
+    const NEEDS_EYE: bool = false;
 
     fn for_object(&self, object: &Lit<'_>) -> ModelLamp {
         let reflectance = object.surface.diffuse;
