@@ -209,35 +209,18 @@ where
     for (face, &corners) in surface.mesh.triangles().iter().enumerate() {
         let [a, b, c] = corners;
         let vertices = [surface.vertex(a), surface.vertex(b), surface.vertex(c)];
-        if !vertices.iter().all(MeshVertex::is_projected) {
+        let [a, b, c] = &vertices;
+        if !(a.is_projected() && b.is_projected() && c.is_projected()) {
             draw_clipped(surface, (face, corners), fragments)?;
             continue;
         }
-        let piece = Piece::of_vertices(&vertices);
-        draw_piece(surface, (face, corners), &piece, fragments)?;
+        let (a, b, c) = (a.position(), b.position(), c.position());
+        if let Some(side) = surface.faces.shows(signed_area(a, b, c)) {
+            let triangle = MeshTriangle { face, corners, side };
+            fragments.draw(surface, &triangle, &Piece::of_vertices(&vertices))?;
+        }
     }
     Ok(())
-}
-
-/// A triangle on the screen, if the side that it shows is wanted.
-#[inline]
-fn draw_piece<S, I, H, T>(
-    surface: &Surface<'_, S, I>,
-    (face, corners): (usize, [u16; 3]),
-    piece: &Piece<S::Attributes>,
-    fragments: &mut Fragments<'_, H, T>,
-) -> Result<(), T::Error>
-where
-    S: Shading,
-    I: Illumination,
-    H: Hidden,
-    T: Target<Color = S::Color>,
-{
-    let [a, b, c] = piece.positions;
-    match surface.faces.shows(signed_area(a, b, c)) {
-        Some(side) => fragments.draw(surface, &MeshTriangle { face, corners, side }, piece),
-        None => Ok(()),
-    }
 }
 
 /// A triangle gains at most one vertex at each of the seven planes.

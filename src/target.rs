@@ -60,6 +60,31 @@ pub trait Target {
         colors: impl Iterator<Item = Option<Self::Color>>,
     ) -> Result<(), Self::Error>;
 
+    /// Gives one pixel a colour.
+    ///
+    /// # Errors
+    /// What the display behind says.
+    #[inline]
+    fn set(&mut self, row: i32, column: i32, color: Self::Color) -> Result<(), Self::Error> {
+        self.fill_run(row, column..column.saturating_add(1), [color])
+    }
+
+    /// Writes one colour a pixel from the left, to every pixel.
+    ///
+    /// As [`write_run`](Self::write_run), for those that know that no pixel is left out.
+    ///
+    /// # Errors
+    /// What the display behind says.
+    #[inline]
+    fn write_all(
+        &mut self,
+        row: i32,
+        columns: Range<i32>,
+        colors: impl Iterator<Item = Self::Color>,
+    ) -> Result<(), Self::Error> {
+        self.write_run(row, columns, colors.map(Some))
+    }
+
     /// Gives every pixel of a run one of two colours, eight at a time: `next` gives a byte for eight columns, of which
     /// the first is a multiple of eight and in the highest bit. It begins at or before the run.
     ///

@@ -4,14 +4,15 @@
 //! is a plane; along a span it is a ramp. Both are kept as unsigned 16.15 numbers in 32 bits, *modulo 2³²*: the steps of
 //! a sliver may be far out of range, but at the pixel centres inside of the triangle the sums come out right again.
 //!
-//! Gradients are rounded to 2⁻¹⁵ of a unit a pixel. So a value is off by less than 2⁻¹⁵ for each pixel of distance from
+//! Gradients are rounded to 2⁻¹⁵ of a unit a pixel, and have 29 digits at the most. So a value is off by less than 2⁻¹⁵ for each pixel of distance from
 //! where the plane begins, which is a corner of a small triangle and a pixel of the screen for a large one: an eighth of
 //! a unit across 4000 pixels. That place depends on the triangle alone, so bands and windows get the same values. A value never leaves the range of its three corners by more than that, which the half
 //! added for rounding absorbs.
 
 use crate::{
     num::{
-        FRACTION_16_15, SUBPIXELS, bits, divide_floor, divide_round, from_16_15, low_i32, low_u32, reciprocal, to_16_15,
+        FRACTION_16_15, SUBPIXELS, bits, divide_floor, divide_round, from_16_15, low_i32, low_u32, multiply_high,
+        reciprocal, to_16_15,
     },
     space::{Point2, twice_area},
 };
@@ -103,7 +104,7 @@ impl<const N: usize> Plane<N> {
     /// The plane through three corners nearer than [`LIMIT`] that are not in line.
     pub(crate) fn through(corners: &[Vertex<N>; 3]) -> Self {
         let slopes = Slopes::new(&corners.map(|corner| corner.position));
-        slopes.plane(&corners.map(|corner| corner.attributes.map(to_16_15)))
+        slopes.plane(&corners.map(|corner| corner.attributes))
     }
 
     /// The ramp that starts at the centre of a pixel and runs to the right.
@@ -150,6 +151,12 @@ impl<A: Varying, B: Varying> Varying for (A, B) {
     }
 }
 
+/// The numerators of two gradients, of which some binary digits are cut off; if negative, that many are added.
+struct Numerators {
+    along: [i32; 2],
+    cut: i32,
+}
+
 /// What all planes over a triangle have in common: its sides, and one over its area.
 #[derive(Clone, Copy, Debug)]
 pub struct Slopes {
@@ -162,6 +169,8 @@ pub struct Slopes {
     area: i64,
     /// One over it, if the triangle is small.
     over_area: Option<(u32, u32)>,
+    /// All digits of its sides.
+    longest: u32,
 }
 
 impl Slopes {
@@ -172,28 +181,44 @@ impl Slopes {
         let (to_second, to_third) = (to(b), to(c));
         let longest = |(x, y): (i32, i32)| x.unsigned_abs() | y.unsigned_abs();
         let from = (a.x.to_bits() >> 4, a.y.to_bits() >> 4);
-        if longest(to_second) | longest(to_third) < SMALL {
+        let longest = longest(to_second) | longest(to_third);
+        if longest < SMALL {
             let area = to_second.0 * to_third.1 - to_third.0 * to_second.1;
             let over_area = Some(reciprocal(area.unsigned_abs()));
-            return Self { first: a, from, to_second, to_third, area: area.into(), over_area };
+            return Self { first: a, from, to_second, to_third, area: area.into(), over_area, longest };
         }
         let from = (from.0.clamp(0, SCREEN), from.1.clamp(0, SCREEN));
-        Self { first: a, from, to_second, to_third, area: twice_area(a, b, c), over_area: None }
+        Self { first: a, from, to_second, to_third, area: twice_area(a, b, c), over_area: None, longest }
     }
 
-    /// The plane of attributes given as 16.15 numbers below 2³¹, a list for each corner. 16 digits of their rises
-    /// count in a small triangle.
+    /// The plane of attributes of 16 bits, a list for each corner.
     #[inline]
-    pub(crate) fn plane<const N: usize>(&self, corners: &[[u32; N]; 3]) -> Plane<N> {
-        let mut plane = self.plane_by(corners, |rises| self.small(self.cut_numerators(rises)));
-        plane.origin = plane.origin.map(|origin| origin.wrapping_add(1 << (FRACTION_16_15 - 1)));
-        plane
+    #[must_use]
+    pub fn plane<const N: usize>(&self, corners: &[[u16; N]; 3]) -> Plane<N> {
+        // All their digits count.
+        let fine = corners.map(|attributes| attributes.map(to_16_15));
+        self.plane_by(&fine, |rises| self.small(self.numerators(rises, FRACTION_16_15)), 1 << (FRACTION_16_15 - 1))
     }
 
-    /// The same with all digits of the rises, and without the half for rounding: for what is divided afterwards.
+    /// The plane of depths of 31 bits. In a small triangle, 15 digits of their rises count.
+    #[inline]
+    pub(crate) fn depth_plane(&self, depths: [u32; 3]) -> Plane<1> {
+        let gradients = |rises: (i32, i32)| {
+            // Two at a time: leading zeros would be a call on a small core.
+            let (mut digits, mut cut) = (rises.0.unsigned_abs() | rises.1.unsigned_abs(), 0);
+            while digits >= 1 << 16 {
+                (digits, cut) = (digits >> 2, cut + 2);
+            }
+            self.small(self.numerators(rises, cut))
+        };
+        self.plane_by(&depths.map(|depth| [depth]), gradients, 1 << (FRACTION_16_15 - 1))
+    }
+
+    /// The plane of numbers below 2³¹ with all digits of the rises, and without the half for rounding: for what is divided
+    /// afterwards.
     #[inline]
     pub(crate) fn fine_plane<const N: usize>(&self, corners: &[[u32; N]; 3]) -> Plane<N> {
-        self.plane_by(corners, |rises| self.small(self.all_numerators(rises)))
+        self.plane_by(corners, |rises| self.small(self.all_numerators(rises)), 0)
     }
 
     #[inline]
@@ -201,6 +226,7 @@ impl Slopes {
         &self,
         [a, b, c]: &[[u32; N]; 3],
         gradients: impl Fn((i32, i32)) -> Option<(u32, u32, u32)>,
+        half: u32,
     ) -> Plane<N> {
         let (column, row) = self.from;
         let mut plane = Plane { origin: *a, column, row, across: [0; N], down: [0; N] };
@@ -209,47 +235,57 @@ impl Slopes {
             let rise = |to: u32| to.cast_signed().wrapping_sub(origin.cast_signed());
             let rises = (rise(*second), rise(*third));
             let (along_x, along_y, offset) = gradients(rises).unwrap_or_else(|| self.exact(rises));
-            *origin = origin.wrapping_add(offset);
+            *origin = origin.wrapping_add(half).wrapping_add(offset);
             (*across, *down) = (along_x, along_y);
         }
         plane
     }
 
-    /// The numerators of the gradients, of which some binary digits are cut off: these, and how many digits.
-    ///
-    /// In products of 32 bits, which keep 16 digits of the rises.
+    /// The numerators of the gradients, of which some binary digits are cut off, so that 16 are left of the rises: these,
+    /// and how many digits. In products of 32 bits.
     #[inline]
-    fn cut_numerators(&self, (second, third): (i32, i32)) -> (i32, i32, u32) {
-        let digits = (second.unsigned_abs() | third.unsigned_abs()) >> 16;
-        let cut = if digits == 0 { 0 } else { 32 - digits.leading_zeros() };
+    fn numerators(&self, (second, third): (i32, i32), cut: u32) -> Numerators {
         let (second, third) = (second >> cut, third >> cut);
         // A side is below 2¹³ where these are used.
         let (b, c) = (self.to_second, self.to_third);
         let difference = |p: i32, q: i32, r: i32, s: i32| p.wrapping_mul(q).wrapping_sub(r.wrapping_mul(s));
-        (difference(second, c.1, third, b.1), difference(third, b.0, second, c.0), cut)
+        let along = [difference(second, c.1, third, b.1), difference(third, b.0, second, c.0)];
+        // In smaller triangles they may have more digits.
+        let room = match self.longest {
+            0..0x40 => 7,
+            0x40..0x100 => 5,
+            0x100..0x400 => 3,
+            _ => 0,
+        };
+        Numerators { along: along.map(|along| along << room), cut: cut.cast_signed() - room }
     }
 
     /// The same in products of 64 bits, with 31 digits.
-    fn all_numerators(&self, (second, third): (i32, i32)) -> (i32, i32, u32) {
+    fn all_numerators(&self, (second, third): (i32, i32)) -> Numerators {
         let (b, c) = (self.to_second, self.to_third);
         let product = |p: i32, q: i32| i64::from(p) * i64::from(q);
         let along_x = product(second, c.1) - product(third, b.1);
         let along_y = product(third, b.0) - product(second, c.0);
-        let digits = low_u32((along_x.unsigned_abs() | along_y.unsigned_abs()).cast_signed() >> 30);
-        let cut = 32 - digits.leading_zeros();
-        (low_i32(along_x >> cut), low_i32(along_y >> cut), cut)
+        let cut = 34_u32.saturating_sub((along_x.unsigned_abs() | along_y.unsigned_abs()).leading_zeros());
+        Numerators { along: [low_i32(along_x >> cut), low_i32(along_y >> cut)], cut: cut.cast_signed() }
     }
 
     /// Gradients a pixel, and the way from the first corner to the centre of its pixel; of a small triangle, if they
     /// fit.
     #[inline]
-    fn small(&self, (along_x, along_y, cut): (i32, i32, u32)) -> Option<(u32, u32, u32)> {
+    fn small(&self, Numerators { along: [along_x, along_y], cut }: Numerators) -> Option<(u32, u32, u32)> {
         let (over, zeros) = self.over_area?;
-        // over · 2^zeros / 2^63 is one over the area; a pixel has 2^4 sixteenths.
-        let shift = 59_u32.checked_sub(zeros + cut)?;
-        let half = 1_i64 << shift.checked_sub(1)?;
-        let over = if self.area < 0 { -i64::from(over) } else { i64::from(over) };
-        let gradient = |numerator: i32| i32::try_from((i64::from(numerator) * over + half) >> shift).ok();
+        // over · 2^zeros / 2^63 is one over the area; a pixel has 2^4 sixteenths; the product has lost 32 digits.
+        let shift = 27 - zeros.cast_signed() - cut;
+        let (right, left) = (shift.max(0), (-shift).max(0));
+        let gradient = |numerator: i32| {
+            let numerator = if self.area < 0 { numerator.wrapping_neg() } else { numerator };
+            let product = multiply_high(numerator, over);
+            let half = (1 << right) >> 1;
+            let gradient = ((product + half) >> right) << left;
+            // Steeper than 2³¹ a pixel: a sliver.
+            (gradient >> left == product || left == 0).then_some(gradient)
+        };
         let (along_x, along_y) = (gradient(along_x)?, gradient(along_y)?);
         let [x, y] = self.to_centre();
         Some((bits(along_x), bits(along_y), bits(sixteenth_of(along_x, x).wrapping_add(sixteenth_of(along_y, y)))))
@@ -340,19 +376,19 @@ mod tests {
             let want = exact(points, values, (x, y));
             // Only what is inside is promised.
             prop_assume!((0.0..2_147_483_648.0).contains(&want));
-            let plane = Slopes::new(&[a, b, c]).plane(&values.map(|value| [value]));
+            let plane = Slopes::new(&[a, b, c]).depth_plane(values);
             let [got] = plane.at(y, x).next_fine();
             let [fine] = Slopes::new(&[a, b, c]).fine_plane(&values.map(|value| [value])).at(y, x).next_fine();
-            // A rise of more than 16 bits is cut to 16.
+            // A rise of more than 15 bits is cut to 15.
             let rise = values.iter().max().zip(values.iter().min()).map_or(0.0, |(high, low)| f64::from(high - low));
             let longest = points.iter().map(|p| (p.0 - points[0].0).abs().max((p.1 - points[0].1).abs())).max();
             let is_small = longest.is_some_and(|longest| longest.unsigned_abs() < SMALL);
-            let cut = if is_small { rise / 32_768.0 * 4.0 } else { 0.0 };
+            let cut = if is_small { rise / 16_384.0 * 3.0 } else { 0.0 };
             let error = (f64::from(got.wrapping_sub(1 << 14).cast_signed()) - want).abs();
             let away = |at: i32, from: i32| f64::from((at - if is_small { from >> 4 } else { (from >> 4).clamp(0, SCREEN) }).abs());
             let distance = away(x, points[0].0) + away(y, points[0].1);
             let fine_error = (f64::from(fine.cast_signed()) - want).abs();
-            prop_assert!(fine_error <= distance + 2.0 || want + distance > 2_147_483_000.0, "{} for {}", fine, want);
+            prop_assert!(fine_error <= 8.0 * (distance + 1.0) || want + distance > 2_147_483_000.0, "{} for {}", fine, want);
             prop_assert!(error <= distance + cut + 2.0, "{} for {}: {}", got, want, error);
         }
     }

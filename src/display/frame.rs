@@ -278,6 +278,16 @@ impl<C: PixelColor, L: Layout<C>, B: AsMut<[u8]>> Target for Frame<C, L, B> {
     }
 
     #[inline]
+    fn set(&mut self, row: i32, column: i32, color: C) -> Result<(), Infallible> {
+        // Negative numbers are beyond any size as unsigned ones.
+        let (row, column) = (bits(row), bits(column));
+        if row < self.height && column < self.width {
+            L::set(self.memory_mut(), position(row), position(column), color);
+        }
+        Ok(())
+    }
+
+    #[inline]
     fn write_bits(
         &mut self,
         row: i32,

@@ -129,6 +129,12 @@ impl<'l> Shades<'l> {
         light.0.wrapping_sub(self.from) <= self.reach
     }
 
+    /// Whether there are but two levels, so that all lights are between them or beyond.
+    #[inline]
+    pub(super) const fn is_one_step(&self) -> bool {
+        self.levels.lights.len() == 2
+    }
+
     /// Takes the step of a light.
     #[inline]
     pub(super) fn move_to(&mut self, light: Light) {

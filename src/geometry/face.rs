@@ -14,7 +14,7 @@
 //! ```
 
 use crate::{
-    num::low_i32,
+    num::{bits, low_i32},
     space::{Model, Point2, Point3, twice_area},
 };
 
@@ -101,8 +101,9 @@ pub(crate) fn signed_area(a: Point2, b: Point2, c: Point2) -> i64 {
 fn short(from: Point2, to: Point2) -> Option<(i32, i32)> {
     let x = to.x.to_bits().checked_sub(from.x.to_bits())?;
     let y = to.y.to_bits().checked_sub(from.y.to_bits())?;
-    let fits = |v: i32| v.unsigned_abs() < 1 << 15;
-    (fits(x) && fits(y)).then_some((x, y))
+    // A number and its complement, whichever is not negative, have the same digits.
+    let digits = |v: i32| bits(v ^ (v >> 31));
+    (digits(x) | digits(y) < 1 << 15).then_some((x, y))
 }
 
 /// Whether a face that passes through `place` with this normal (of any length) is seen from its front by an eye:

@@ -19,6 +19,11 @@ impl Hidden for Convex {
     }
 
     #[inline]
+    fn sees(&mut self, _row: i32, _column: i32, _depth: Ramp<1>) -> bool {
+        true
+    }
+
+    #[inline]
     fn split<E>(
         &mut self,
         _row: i32,

@@ -228,6 +228,20 @@ impl<D: Depth + Ord, F: DepthFunction> Hidden for DepthBuffer<'_, D, F> {
     }
 
     #[inline]
+    fn sees(&mut self, row: i32, column: i32, mut depth: Ramp<1>) -> bool {
+        let [fine] = depth.next_fine();
+        let (depth, function) = (D::from_fine(fine), self.function);
+        let from = |at: i32, border: i32| count(bits(at.wrapping_sub(border)).into());
+        let line = from(row, self.window.top).wrapping_mul(self.width);
+        let Some(stored) = self.depths.get_mut(line.wrapping_add(from(column, self.window.left))) else { return false };
+        let passes = function.passes(*stored, depth);
+        if passes && F::STORES {
+            *stored = depth;
+        }
+        passes
+    }
+
+    #[inline]
     fn split<E>(
         &mut self,
         row: i32,

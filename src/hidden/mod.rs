@@ -21,6 +21,9 @@ pub trait Hidden {
     /// The pixels that can be decided.
     fn bounds(&self) -> Rect;
 
+    /// Whether one pixel is seen at a depth.
+    fn sees(&mut self, row: i32, column: i32, depth: Ramp<1>) -> bool;
+
     /// Calls `seen` for the parts of a span that are seen, from the left. `depth` begins at the first column.
     ///
     /// # Errors

@@ -91,6 +91,9 @@ impl<H: Hidden, T: Target> Fragments<'_, H, T> {
     }
 }
 
+/// Runs of so many pixels are drawn one by one, if that is cheap.
+const SHORT: i32 = 3;
+
 /// What is computed of a triangle when the first of its pixels is seen.
 struct Begun<F> {
     face: F,
@@ -139,11 +142,11 @@ fn place<S: Shading, I: Illumination>(
 
 #[inline]
 fn depth_plane(bias: DepthBias, slopes: &Slopes, depths: [u32; 3]) -> Plane<1> {
-    let plane = slopes.plane(&depths.map(|depth| [depth]));
+    let plane = slopes.depth_plane(depths);
     if bias == DepthBias::NONE {
         return plane;
     }
-    slopes.plane(&bias.moved(depths, plane.steepest()).map(|depth| [depth]))
+    slopes.depth_plane(bias.moved(depths, plane.steepest()))
 }
 
 impl<S, I, H, T> Sink for Painter<'_, '_, S, I, H, T>
@@ -166,7 +169,17 @@ where
         let Begun { face, depth } =
             self.begun.get_or_insert_with(|| Self::begin(self.surface, self.triangle, self.piece));
         let Fragments { hidden, target, .. } = &mut *self.fragments;
-        let depth: Ramp<1> = if H::USES_DEPTH { depth.at(row, columns.start) } else { Ramp::new([0], [0]) };
+        let depth_at = |column| if H::USES_DEPTH { depth.at(row, column) } else { Ramp::new([0], [0]) };
+        if S::IS_CHEAP && columns.end.wrapping_sub(columns.start) <= SHORT {
+            for column in columns {
+                if hidden.sees(row, column, depth_at(column)) {
+                    let color = shading.colors(light, face, (row, column)).next().flatten();
+                    color.map_or(Ok(()), |color| target.set(row, column, color))?;
+                }
+            }
+            return Ok(());
+        }
+        let depth = depth_at(columns.start);
         if S::DROPS {
             let colors = shading.colors(light, face, (row, columns.start));
             let colors = hidden.filter(row, columns.clone(), depth, colors);

@@ -2,7 +2,7 @@
 
 use super::vertex::MeshVertex;
 use crate::{
-    clip::volume,
+    clip::volume::Volume,
     colour::Light,
     fragment::shade::{Corner, Shading},
     geometry::{
@@ -34,7 +34,7 @@ impl<S: Shading, I: Illumination> Surface<'_, S, I> {
     pub(super) fn process_vertices(&self, vertices: &mut [MeshVertex]) {
         for ((vertex, &position), &normal) in vertices.iter_mut().zip(self.mesh.positions()).zip(self.mesh.normals()) {
             let point = self.transform.apply(position);
-            *vertex = if volume::outcode(&point) == 0 {
+            *vertex = if Volume::GuardBand.is_inside(&point) {
                 MeshVertex::new(self.viewport.project(&point))
             } else {
                 MeshVertex::UNPROJECTED

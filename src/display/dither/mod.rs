@@ -279,6 +279,26 @@ where
         self.target.write_run(row, visible, codes)
     }
 
+    #[inline]
+    fn set(&mut self, row: i32, column: i32, light: Light) -> Result<(), T::Error> {
+        let code = self.shades.code(light, self.mask.threshold(column, row));
+        self.target.set(row, column, T::Color::from_code(code))
+    }
+
+    fn write_all(
+        &mut self,
+        row: i32,
+        columns: Range<i32>,
+        lights: impl Iterator<Item = Light>,
+    ) -> Result<(), T::Error> {
+        if M::REPEATS && self.shades.is_one_step() {
+            self.write_one_step(row, columns, lights)
+        } else {
+            self.write_run(row, columns, lights.map(Some))
+        }
+    }
+
+    #[inline]
     fn fill_ramp(&mut self, row: i32, columns: Range<i32>, light: Ramp<1>) -> Result<(), T::Error> {
         self.draw_ramp(row, columns, light)
     }

@@ -18,7 +18,7 @@ use core::ops::Range;
 use super::{Dithered, Mask};
 use crate::{
     colour::Light,
-    num::{FRACTION_16_15, bits, from_16_15},
+    num::{FRACTION_16_15, bits, from_16_15, index, to_16_15},
     target::{Code, Target},
     vary::Ramp,
 };
@@ -42,26 +42,18 @@ impl Switches {
     /// Those of the columns 0 to 7 of a row, of which every eighth is alike, above the level of a code.
     #[inline]
     fn of_row(&mut self, code: u8, row: i32, exceeded: impl FnOnce() -> [u32; 8]) -> &[u32; 8] {
-        let [a, b, c, d, e, f, g, h] = &mut self.rows;
-        let (switches, bit) = match row & 7 {
-            0 => (a, 1),
-            1 => (b, 2),
-            2 => (c, 4),
-            3 => (d, 8),
-            4 => (e, 16),
-            5 => (f, 32),
-            6 => (g, 64),
-            _ => (h, 128),
-        };
         if self.code != code {
             (self.code, self.known) = (code, 0);
         }
-        if self.known & bit == 0 {
-            self.known |= bit;
-            // A light must be greater: at least one more.
-            *switches = exceeded().map(|light| (light + 1) << FRACTION_16_15);
+        let phase = index(row & 7);
+        if self.known >> phase & 1 == 0 {
+            self.known |= 1 << phase;
+            if let Some(switches) = self.rows.get_mut(phase) {
+                // A light must be greater: at least one more.
+                *switches = exceeded().map(|light| (light + 1) << FRACTION_16_15);
+            }
         }
-        switches
+        self.rows.get(phase).unwrap_or(&[u32::MAX; 8])
     }
 }
 
@@ -104,6 +96,34 @@ where
                 let [light] = ramp.next_fine();
                 byte << 1 | u8::from(light >= *switch)
             })
+        })
+    }
+
+    /// The same of lights of any kind, where there are but two levels.
+    #[inline]
+    pub(super) fn write_one_step(
+        &mut self,
+        row: i32,
+        columns: Range<i32>,
+        mut lights: impl Iterator<Item = Light>,
+    ) -> Result<(), T::Error> {
+        let colors = [T::Color::from_code(0), T::Color::from_code(1)];
+        let (shades, mask) = (&self.shades, &self.mask);
+        let switches = self.switches.of_row(0, row, || shades.switches(mask.eight(row)));
+        // Pixels of the first eight that are before the run, and that are in it or behind.
+        let (mut before, mut left) = (bits(columns.start & 7), bits(columns.end.wrapping_sub(columns.start)));
+        self.target.write_bits(row, columns, colors, move || {
+            let mut byte = 0;
+            let first = core::mem::take(&mut before);
+            for (switch, bit) in switches.iter().zip(0_u32..).skip(first as usize) {
+                if left == 0 {
+                    break;
+                }
+                left -= 1;
+                let light = lights.next().unwrap_or_default();
+                byte |= u8::from(to_16_15(light.0) >= *switch) << (7 - bit);
+            }
+            byte
         })
     }
 

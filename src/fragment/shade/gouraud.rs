@@ -6,7 +6,6 @@ use super::{Corner, Facet, Shading, reflected};
 use crate::{
     colour::Light,
     illumination::{Illumination, unit_normal},
-    num::to_16_15,
     target::Target,
     vary::{Plane, Ramp},
 };
@@ -19,6 +18,7 @@ impl Shading for Unlit {
     type Attributes = [u16; 0];
     type Face = ();
     type Color = Light;
+    const IS_CHEAP: bool = true;
 
     #[inline]
     fn corner(&self, _corner: &Corner) -> [u16; 0] {
@@ -54,6 +54,7 @@ impl Shading for Flat {
     type Attributes = [u16; 0];
     type Face = Light;
     type Color = Light;
+    const IS_CHEAP: bool = true;
 
     #[inline]
     fn corner(&self, _corner: &Corner) -> [u16; 0] {
@@ -113,6 +114,7 @@ impl Shading for Gouraud {
     type Attributes = [u16; 1];
     type Face = Plane<1>;
     type Color = Light;
+    const IS_CHEAP: bool = true;
     const NEEDS_LIGHT: bool = true;
 
     #[inline]
@@ -122,7 +124,7 @@ impl Shading for Gouraud {
 
     #[inline]
     fn face<I: Illumination>(&self, _light: &I, facet: &Facet<'_, [u16; 1]>) -> Plane<1> {
-        facet.slopes.plane(&facet.placed.map(|corner| corner.attributes.map(to_16_15)))
+        facet.slopes.plane(&facet.placed.map(|corner| corner.attributes))
     }
 
     #[inline]

@@ -20,12 +20,14 @@ mod mapped;
 mod perspective;
 mod phong;
 mod shader;
+mod textured;
 
 pub use gouraud::{Flat, Gouraud, Unlit};
 pub use mapped::{Mapped, Stippled};
 pub use perspective::{Perspective, PerspectiveRun};
 pub use phong::Phong;
 pub use shader::Shader;
+pub use textured::{Affine, Textured};
 
 use core::ops::Range;
 
@@ -79,6 +81,14 @@ pub struct Facet<'f, A> {
     pub slopes: &'f Slopes,
 }
 
+impl<'f, A> Facet<'f, A> {
+    /// The same with other things carried.
+    #[inline]
+    const fn with_placed<B>(&self, placed: &'f [Placed<B>; 3]) -> Facet<'f, B> {
+        Facet { corners: self.corners, normal: self.normal, placed, slopes: self.slopes }
+    }
+}
+
 /// How the pixels of triangles get their colours.
 pub trait Shading {
     /// What is carried from the corners over the triangle.
@@ -91,6 +101,8 @@ pub trait Shading {
     const NEEDS_LIGHT: bool = false;
     /// Whether distances from the eye are needed.
     const NEEDS_W: bool = false;
+    /// Whether a pixel by itself is cheap, so that short runs are drawn pixel by pixel.
+    const IS_CHEAP: bool = false;
     /// Whether some pixels may get no colour. They hide nothing then.
     const DROPS: bool = false;
 
@@ -121,7 +133,12 @@ pub trait Shading {
         target: &mut T,
     ) -> Result<(), T::Error> {
         let colors = self.colors(light, face, (row, columns.start));
-        target.write_run(row, columns, colors)
+        if Self::DROPS {
+            target.write_run(row, columns, colors)
+        } else {
+            // Each is some: nothing ends.
+            target.write_all(row, columns, colors.map_while(|color| color))
+        }
     }
 }
 

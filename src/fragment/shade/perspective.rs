@@ -15,7 +15,7 @@
 
 use super::Placed;
 use crate::{
-    num::{FRACTION_16_15, Scalar, bits, reciprocal, to_16_15},
+    num::{Scalar, bits, reciprocal, saturate_u32, to_16_15},
     space::LEAST_W,
     vary::{Plane, Slopes},
 };
@@ -51,7 +51,7 @@ impl<const N: usize> Perspective<N> {
             let attributes = corners.get(index).map_or([0; N], |corner| corner.attributes);
             for ((over_w, attribute), least) in over_w.iter_mut().zip(attributes).zip(least) {
                 let rest = u64::from(attribute.saturating_sub(least));
-                *over_w = crate::num::saturate_u32((u64::from(one_over_w) * rest) >> 16);
+                *over_w = saturate_u32((u64::from(one_over_w) * rest) >> 16);
             }
             index += 1;
             over_w
@@ -100,7 +100,7 @@ impl<const N: usize> Perspective<N> {
 fn quotient(near: Scalar, w: Scalar) -> u32 {
     let (over, zeros) = reciprocal(w.max(near).to_bits().unsigned_abs());
     let product = u64::from(near.to_bits().unsigned_abs()) * u64::from(over);
-    crate::num::saturate_u32(product >> 33_u32.saturating_sub(zeros)).min(1 << 30)
+    saturate_u32(product >> 33_u32.saturating_sub(zeros)).min(1 << 30)
 }
 
 /// The attributes along a row, a pixel a step.
@@ -156,6 +156,3 @@ impl<const N: usize> Iterator for PerspectiveRun<'_, N> {
         Some(now)
     }
 }
-
-/// How many fraction bits the attributes have.
-pub(super) const FRACTION: u32 = FRACTION_16_15;

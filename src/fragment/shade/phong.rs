@@ -4,7 +4,6 @@ use super::{Corner, Facet, Shading, offset, reflected};
 use crate::{
     colour::Light,
     illumination::{Illumination, unit_normal},
-    num::to_16_15,
     vary::Plane,
 };
 
@@ -32,7 +31,7 @@ impl Shading for Phong {
 
     #[inline]
     fn face<I: Illumination>(&self, _light: &I, facet: &Facet<'_, [u16; 7]>) -> Plane<7> {
-        facet.slopes.plane(&facet.placed.map(|corner| corner.attributes.map(to_16_15)))
+        facet.slopes.plane(&facet.placed.map(|corner| corner.attributes))
     }
 
     #[inline]

@@ -1,7 +1,7 @@
 //! Shading by a user's own closures.
 
 use super::{Corner, Facet, Shading};
-use crate::{illumination::Illumination, num::to_16_15, vary::Plane};
+use crate::{illumination::Illumination, vary::Plane};
 
 /// Your own: one closure says what a corner carries, the other makes a colour of what arrives at a pixel.
 ///
@@ -45,7 +45,7 @@ impl<const N: usize, C: Copy, V: Fn(&Corner) -> [u16; N], F: Fn([u16; N]) -> Opt
 
     #[inline]
     fn face<I: Illumination>(&self, _light: &I, facet: &Facet<'_, [u16; N]>) -> Plane<N> {
-        facet.slopes.plane(&facet.placed.map(|corner| corner.attributes.map(to_16_15)))
+        facet.slopes.plane(&facet.placed.map(|corner| corner.attributes))
     }
 
     #[inline]

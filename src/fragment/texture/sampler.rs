@@ -176,6 +176,13 @@ impl<T: Texels, W: Wrap, F: Filter> Sampler<T, W, F> {
         self.size_log2.map(|log2| log2 + 4)
     }
 
+    /// How far a coordinate with 28 fraction bits, 2²⁸ being the width of the texture or its height, is to be shifted to
+    /// the right to be a place.
+    #[inline]
+    pub(crate) fn fine_shifts(&self) -> [u32; 2] {
+        self.size_log2.map(|log2| 12 - log2)
+    }
+
     /// The light at texture coordinates of a mesh, in unsigned 4.12 textures.
     #[inline]
     pub fn sample_uv(&self, uv: [u16; 2]) -> Light {
