@@ -15,3 +15,4 @@ pub mod gradient;
 pub mod motion;
 pub mod pattern;
 pub mod picture;
+pub mod toon;
