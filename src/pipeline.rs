@@ -132,7 +132,7 @@ pub fn draw_mesh<T: Target<Color = Light>>(
 
     let bounds = camera.viewport.rect().intersection(workspace.depth.window()).intersection(target.bounds());
     let mut fragments = Fragments { depth: workspace.depth, bounds, target };
-    for &[a, b, c] in mesh.triangles() {
+    for [a, b, c] in mesh.triangles() {
         let at = |index: u16| vertices.get(usize::from(index)).copied().unwrap_or_default();
         let corners = [at(a), at(b), at(c)];
         if corners.iter().all(MeshVertex::is_projected) {
