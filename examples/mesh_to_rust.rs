@@ -1,49 +1,46 @@
-//! Writes a Wavefront OBJ file as a constant mesh: `cargo run --example mesh_to_rust -- model.obj > model.rs`
+//! Writes a Wavefront OBJ or an STL file as a constant mesh: `cargo run --example mesh_to_rust -- model.obj > model.rs`
 //!
-//! In the firmware, `const MESH: Mesh = include!("model.rs");`
+//! In the firmware, `const MESH: Mesh = include!("model.rs");`. With `--out FILE` it writes that file, whole or not at
+//! all. What was lost by quantising is told on stderr.
 #![cfg_attr(target_os = "none", no_std, no_main)]
 #![cfg(not(target_os = "none"))]
 
-#[path = "demo/obj.rs"]
-mod obj;
+mod meshes;
 
-use aquatint::model::mesh::Mesh;
-use std::{fmt::Debug, io::Write, path::PathBuf, process::ExitCode};
+use std::{
+    io::Write,
+    path::{Path, PathBuf},
+    process::ExitCode,
+};
 
 fn main() -> ExitCode {
     let arguments: Vec<_> = std::env::args_os().skip(1).map(PathBuf::from).collect();
-    let [path] = &arguments[..] else {
-        eprintln!("usage: mesh_to_rust MODEL.obj > MESH.rs");
-        return ExitCode::from(2);
+    let (model, out) = match &arguments[..] {
+        [model] => (model, None),
+        [model, option, out] if option.as_os_str() == "--out" => (model, Some(out)),
+        [option, out, model] if option.as_os_str() == "--out" => (model, Some(out)),
+        _ => {
+            eprintln!("usage: mesh_to_rust MODEL.obj|MODEL.stl [--out MESH.rs]");
+            return ExitCode::from(2);
+        }
     };
-    let written = obj::load(path).and_then(|owned| {
-        let mesh = owned.borrow().map_err(|e| format!("{e:?}"))?;
-        std::io::stdout().write_all(source(&mesh).as_bytes()).map_err(|e| e.to_string())?;
-        Ok(format!("{} vertices, {} triangles", mesh.positions().len(), mesh.triangles().len()))
-    });
-    match written {
+    match converted(model, out.map(PathBuf::as_path)) {
         Ok(summary) => {
             eprintln!("{summary}");
             ExitCode::SUCCESS
         }
         Err(error) => {
-            eprintln!("mesh_to_rust: {} {error}", path.display());
+            eprintln!("mesh_to_rust: {error}");
             ExitCode::from(2)
         }
     }
 }
 
-/// An expression of type `Mesh<'static>`, checked by the compiler that includes it.
-fn source(mesh: &Mesh) -> String {
-    format!(
-        "match aquatint::model::mesh::Mesh::new(\n&[{}],\n&[{}],\n&[{}],\n) {{\n    Ok(mesh) => mesh,\n    Err(_) => panic!(),\n}}\n",
-        rows(mesh.positions()),
-        rows(mesh.normals()),
-        rows(mesh.triangles()),
-    )
-}
-
-fn rows<T: Debug>(triples: &[[T; 3]]) -> String {
-    let text = |[a, b, c]: &[T; 3]| format!("[{a:?},{b:?},{c:?}],");
-    triples.chunks(8).map(|chunk| chunk.iter().map(text).collect::<String>() + "\n").collect()
+fn converted(model: &Path, out: Option<&Path>) -> Result<String, String> {
+    let (source, summary) = meshes::convert(model).map_err(|error| format!("{} {error}", model.display()))?;
+    match out {
+        Some(out) => meshes::write(out, &source).map_err(|error| format!("{} {error}", out.display()))?,
+        None => std::io::stdout().write_all(source.as_bytes()).map_err(|error| error.to_string())?,
+    }
+    Ok(summary)
 }

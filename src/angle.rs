@@ -61,21 +61,20 @@ impl Angle {
 ///
 /// From the nearest entry of the table it is at most 1/512 of a turn to the angle; that rest is added by
 /// `sin(a + b) = sin a · cos b + cos a · sin b`, with `sin b` and `cos b` from their series. Six multiplications.
-pub(crate) fn sine_and_cosine(turn: u32) -> (i64, i64) {
+pub(crate) const fn sine_and_cosine(turn: u32) -> (i64, i64) {
     let within_quarter = turn & 0x3FFF_FFFF;
     // Half-way between two entries it is the one nearer to the diagonal, so that both sides are the same.
     let entry = (within_quarter + (1 << 23) - (within_quarter >> 29)) >> 24;
     // The angle b without its sign, in parts of 2³⁶: 2³⁰ units of the turn are a quarter, π/2.
-    let units = i64::from(within_quarter) - i64::from(entry << 24);
+    let units = within_quarter as i64 - (entry << 24) as i64;
     let b = (units.abs() * HALF_PI) >> 24;
     let square = (b * b) >> 36;
     // 1 − b²/2 + b⁴/24, without the 1, and b − b³/6: what follows is below 2⁻³⁸. 1/24 and 1/6 in parts of 2¹⁶.
     let cos_b = ((((square * square) >> 36) * 2731) >> 16) - (square >> 1);
     let sin_b = (b - ((((square * b) >> 36) * 10_923) >> 16)) * units.signum();
     let (sin_a, cos_a) = (quarter_wave(entry), quarter_wave(64 - entry));
-    let nearest = |correction: i64| (correction + (1 << 35)) >> 36;
-    let sin = sin_a + nearest(sin_a * cos_b + cos_a * sin_b);
-    let cos = cos_a + nearest(cos_a * cos_b - sin_a * sin_b);
+    let sin = sin_a + nearest_36(sin_a * cos_b + cos_a * sin_b);
+    let cos = cos_a + nearest_36(cos_a * cos_b - sin_a * sin_b);
     match turn >> 30 {
         0 => (sin, cos),
         1 => (cos, -sin),
@@ -84,12 +83,18 @@ pub(crate) fn sine_and_cosine(turn: u32) -> (i64, i64) {
     }
 }
 
+/// A number without its lowest 36 bits, to the nearest.
+const fn nearest_36(value: i64) -> i64 {
+    (value + (1 << 35)) >> 36
+}
+
 /// π/2 in parts of 2³⁰.
 const HALF_PI: i64 = 1_686_629_713;
 
 /// `2³¹ · sin(i/64 · 90°)` for i = 0 … 64, to the nearest.
-fn quarter_wave(entry: u32) -> i64 {
-    QUARTER_WAVE.get(index(entry.cast_signed())).copied().unwrap_or(1 << 31).into()
+const fn quarter_wave(entry: u32) -> i64 {
+    let entry = index(entry.cast_signed());
+    if entry < QUARTER_WAVE.len() { QUARTER_WAVE[entry] as i64 } else { 1 << 31 }
 }
 
 #[rustfmt::skip]

@@ -31,7 +31,7 @@ use crate::{
     hidden::Hidden,
     illumination::Illumination,
     matrix::Matrix,
-    model::mesh::Mesh,
+    model::{assembly::Face, mesh::Mesh},
     space::{Clip, Model, Point3, View, World},
     target::Target,
     vary::Varying,
@@ -206,7 +206,7 @@ where
     H: Hidden,
     T: Target<Color = S::Color>,
 {
-    for (face, &corners) in surface.mesh.triangles().iter().enumerate() {
+    for Face { corners, number: face } in surface.mesh.faces() {
         let [a, b, c] = corners;
         let vertices = [surface.vertex(a), surface.vertex(b), surface.vertex(c)];
         let [a, b, c] = &vertices;

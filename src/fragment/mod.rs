@@ -17,3 +17,4 @@ pub mod pattern;
 pub mod picture;
 pub mod shade;
 pub mod texture;
+pub mod toon;

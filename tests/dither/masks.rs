@@ -4,7 +4,7 @@ use aquatint::{
     BAYER_2X2, BAYER_4X4, BAYER_8X8, BAYER_16X16, BLUE_NOISE_16, BLUE_NOISE_64, CodeMask, Dithered, DotGain, Frame,
     FrameRateControl, Levels, Light, R2Noise, RankMask, Rect, Rows,
     display::{
-        dither::{Mask, Method, UnevenRanks},
+        dither::{CROSS_HATCH_8X8, CROSS_HATCH_16X16, HATCH_8X8, HATCH_16X16, Mask, Method, UnevenRanks},
         halftone::{
             DOTS_4X4, DOTS_6X6, DOTS_8X8, DOTS_45_4X4, DOTS_45_6X6, DOTS_45_8X8, LINES_4X4, LINES_8X8, LINES_45_4X4,
             LINES_45_8X8,
@@ -35,6 +35,10 @@ macro_rules! on_every_rank_mask {
         $check(&LINES_8X8, 64);
         $check(&LINES_45_4X4, 16);
         $check(&LINES_45_8X8, 64);
+        $check(&HATCH_8X8, 64);
+        $check(&CROSS_HATCH_8X8, 64);
+        $check(&HATCH_16X16, 256);
+        $check(&CROSS_HATCH_16X16, 256);
     };
 }
 

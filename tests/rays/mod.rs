@@ -28,11 +28,11 @@ pub fn faces(instance: &Instance, scene: &Scene) -> Vec<Face> {
         let p = to_view.transform_point(Point3::new(x, y, z));
         [p.x, p.y, p.z].map(|v| v.to_num())
     };
-    let face = |triangle: &[u16; 3]| Face {
+    let face = |triangle: [u16; 3]| Face {
         corners: triangle.map(|i| place(instance.mesh.positions()[usize::from(i)])),
         light: lamp.on_vertex([0; 3], instance.mesh.normals()[usize::from(triangle[0])]),
     };
-    instance.mesh.triangles().iter().map(face).collect()
+    instance.mesh.triangles().map(face).collect()
 }
 
 /// What a pixel shows. Unsure when rays an eighth of a pixel apart do not agree.

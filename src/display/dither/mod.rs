@@ -17,6 +17,7 @@
 //! | [`BLUE_NOISE_16`], [`BLUE_NOISE_64`] | 257 | 256 bytes, 4 KB | grain, no grid |
 //! | [`R2Noise`] | 65536 | none | between both |
 //! | [halftone](crate::display::halftone) | 17 … 65 | 16 … 64 bytes | dots of different sizes |
+//! | [`HATCH_8X8`] … [`CROSS_HATCH_16X16`] | 65, 257 | 64, 256 bytes | lines of a pen |
 //! | [`RankMask::new`] | what you bring | | |
 //!
 //! The thresholds are fixed to the screen. So bands, tiles and partial redraws agree to the pixel, in any order, and
@@ -33,6 +34,7 @@ mod blue_noise;
 mod codes;
 mod draw;
 mod frames;
+mod hatch;
 mod instants;
 mod noise;
 mod ramp;
@@ -42,6 +44,7 @@ pub use blue_noise::{BLUE_NOISE_16, BLUE_NOISE_64};
 pub use codes::{CodeMask, PackedRows};
 pub use draw::{DitheredDrawTarget, GreyLevels, IntoLight, IntoSrgb, Quantise};
 pub use frames::{FrameRateControl, OddFrames};
+pub use hatch::{CROSS_HATCH_8X8, CROSS_HATCH_16X16, HATCH_8X8, HATCH_16X16};
 pub use instants::Interleaved;
 pub use noise::R2Noise;
 pub(in crate::display) use rank::even;
