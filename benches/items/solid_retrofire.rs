@@ -6,7 +6,7 @@ use retrofire_core::{
     math::{Color4, Mat4, Matrix, ProjMat3, Vary, point::pt3, rgba},
     render::{
         Colorbuf, Context, Frag, FragmentShader, Framebuf, Model, Ndc, Screen, Target, ctx::FaceCull, raster::Scanline,
-        render, shader, tex::uv,
+        render, shader,
     },
     util::{Buf2, Dims, pixfmt::IntoPixel},
 };
