@@ -1,11 +1,15 @@
-//! Comparing solids: which pixels they cover, in each frame.
+//! Comparing solids: which pixels they cover in each frame, and the bits of the wall.
 
 use std::collections::BTreeMap;
+
+use embedded_graphics::geometry::Size;
 
 use crate::items::{
     OURS,
     solid::{Engine, Engines, FRAMES, each},
     solid_models::Solid,
+    solid_peers::Bits,
+    solid_wall::exact_texel,
 };
 
 const SOLIDS: [(&str, Solid); 2] = [("cube", Solid::Cube), ("torus", Solid::Torus)];
@@ -34,6 +38,8 @@ struct Coverage {
 pub fn compare() -> Result<String, String> {
     let mut coverage = Coverage { ours: BTreeMap::new(), lines: Vec::new(), faults: Vec::new() };
     each(&mut coverage);
+    // Who draws bits covers the same.
+    coverage.lines.retain(|line| !line.contains("-1bit:"));
     if coverage.faults.is_empty() { Ok(coverage.lines.join("\n")) } else { Err(coverage.faults.join("\n")) }
 }
 
@@ -54,6 +60,12 @@ impl Engines for Coverage {
                 self.judge_peer((item, panel), who, &covered);
             }
         }
+        if E::HAS_WALL {
+            engine.wall();
+            let mut picture = Vec::new();
+            engine.picture(|bytes| picture = bytes.to_vec());
+            self.judge_wall((panel, who), engine.size(), &picture);
+        }
     }
 }
 
@@ -69,6 +81,16 @@ impl Coverage {
         let most = if who.starts_with("embedded-3dgfx") { 0.06 } else { 0.005 };
         let line = format!("{}/{} by {who}: {missing:.1} pixels missing, {more:.1} more", scene.0, scene.1);
         self.judge(line, missing + more <= most * mean(ours));
+    }
+
+    /// Texels are exact but near their edges. embedded-3dgfx interpolates without perspective along the sides of a triangle.
+    fn judge_wall(&mut self, (panel, who): (&str, &str), size: Size, picture: &[u8]) {
+        let places = (0..size.height).flat_map(|y| (0..size.width).map(move |x| (x, y)));
+        let exact = Bits::of(size, places.map(|place| exact_texel(size, place))).bytes;
+        let wrong: u32 = picture.iter().zip(&exact).map(|(got, exact)| (got ^ exact).count_ones()).sum();
+        let share = f64::from(wrong) / f64::from(size.width * size.height);
+        let most = if who.starts_with("embedded-3dgfx") { 0.2 } else { 0.02 };
+        self.judge(format!("quad/{panel} by {who}: {:.1} % of the bits are wrong", share * 100.0), share <= most);
     }
 
     fn judge(&mut self, line: String, is_good: bool) {

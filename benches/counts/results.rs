@@ -1,6 +1,6 @@
 //! The table on the screen, and the file of results.
 
-use std::{fmt::Write as _, fs, io};
+use std::{collections::BTreeSet, fmt::Write as _, fs, io};
 
 use crate::{
     items::{Label, OURS},
@@ -15,23 +15,27 @@ const PLATFORM: &str = "host";
 
 /// A line for each item: our count, the peer's, and how many times ours that is. Further peers have lines of their own.
 pub fn table(counts: &[(Label, u64)]) -> String {
-    let mut ours: Vec<_> = counts.iter().filter(|(label, _)| label.who == OURS).collect();
-    ours.sort_by_key(|(label, _)| (label.panel, label.item));
+    let items: BTreeSet<_> = counts.iter().map(|(label, _)| (label.panel, label.item)).collect();
     let mut table = format!("{:20} {OURS:>10} {:>10} {:>8}\n", "instructions", "peer", "ratio");
-    for &(label, count) in ours {
-        let is_peer = |other: Label| other.who != OURS && (other.item, other.panel) == (label.item, label.panel);
-        let mut peers: Vec<_> = counts.iter().filter(|(other, _)| is_peer(*other)).collect();
-        peers.sort_by_key(|(peer, _)| peer.who);
-        let _ = write!(table, "{:20} {count:>10}", name(label));
-        if peers.is_empty() {
-            table.push('\n');
-        }
-        for (line, (peer, theirs)) in peers.into_iter().enumerate() {
-            let indent = if line == 0 { 0 } else { 31 };
-            let _ = writeln!(table, "{:indent$} {theirs:>10} {:>8} {}", "", ratio(*theirs, count), peer.who);
-        }
+    for item in items {
+        write_item(&mut table, counts.iter().filter(|(label, _)| (label.panel, label.item) == item));
     }
     table
+}
+
+fn write_item<'c>(table: &mut String, counts: impl Iterator<Item = &'c (Label, u64)>) {
+    let (ours, mut peers): (Vec<&(Label, u64)>, Vec<_>) = counts.partition(|(label, _)| label.who == OURS);
+    peers.sort_by_key(|(peer, _)| peer.who);
+    let Some((label, _)) = ours.first().or(peers.first()) else { return };
+    let ours = ours.first().map(|(_, count)| *count);
+    let count = ours.map_or_else(String::new, |count| count.to_string());
+    let _ = write!(table, "{:20} {count:>10}", name(*label));
+    for (line, (peer, theirs)) in peers.iter().enumerate() {
+        let indent = if line == 0 { String::new() } else { format!("\n{:31}", "") };
+        let ratio = ours.map_or_else(String::new, |ours| ratio(*theirs, ours));
+        let _ = write!(table, "{indent} {theirs:>10} {ratio:>8} {}", peer.who);
+    }
+    table.push('\n');
 }
 
 /// To a tenth, rounded down.

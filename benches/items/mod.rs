@@ -23,9 +23,10 @@ mod solid_euc;
 pub mod solid_models;
 pub mod solid_ours;
 #[cfg(not(target_os = "none"))]
-mod solid_peers;
+pub mod solid_peers;
 #[cfg(not(target_os = "none"))]
 mod solid_retrofire;
+pub mod solid_wall;
 
 use aquatint::{Frame, Pages, Rows};
 use embedded_graphics::{

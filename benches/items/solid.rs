@@ -6,7 +6,7 @@
 //! computed at the vertices and interpolated. Back faces are not drawn; depths are tested. At one bit a
 //! pixel, light is dithered 4 × 4.
 //!
-//! An item draws a whole cycle, and counts are for the mean frame.
+//! An item draws a whole cycle, and counts are for the mean frame. The wall does not turn: it is one frame.
 
 use core::{convert::Infallible, hint::black_box};
 
@@ -52,6 +52,12 @@ pub trait Engine {
     /// Draws a whole frame, clearing included.
     fn frame(&mut self, solid: Solid, frame: u16);
 
+    /// Whether [`wall`](Self::wall) is drawn.
+    const HAS_WALL: bool;
+
+    /// Draws the textured wall, clearing included.
+    fn wall(&mut self);
+
     /// Shows the picture as bits, rows of whole bytes, as we would dither it.
     fn picture(&self, look: impl FnOnce(&[u8]));
 
@@ -67,6 +73,12 @@ impl<E: Engine> Stage<E> {
     #[expect(clippy::unnecessary_wraps, reason = "an item")]
     fn cycle(&mut self, solid: Solid) -> Result<(), Infallible> {
         (0..black_box(FRAMES)).for_each(|frame| self.0.frame(black_box(solid), frame));
+        Ok(())
+    }
+
+    #[expect(clippy::unnecessary_wraps, reason = "an item")]
+    fn wall(&mut self) -> Result<(), Infallible> {
+        self.0.wall();
         Ok(())
     }
 }
@@ -118,6 +130,9 @@ impl<V: Visitor> Engines for Items<'_, V> {
         let mut stage = Stage(engine);
         for &(item, draw) in items() {
             self.0.visit(Label { item, panel, who, frames: FRAMES }, &mut stage, draw);
+        }
+        if E::HAS_WALL {
+            self.0.visit(Label::new("quad", panel, who), &mut stage, Stage::wall);
         }
     }
 }

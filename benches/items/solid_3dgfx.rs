@@ -7,6 +7,7 @@ use embedded_3dgfx::{
     engine::K3dengine,
     pipeline::{
         command_buffer::CommandBuffer,
+        rasterize::texture::{Texture, TextureManager},
         renderer::FrameCtx,
         vertex::mesh::{Geometry, K3dMesh, RenderMode},
     },
@@ -21,7 +22,8 @@ use embedded_graphics::{
 use super::{
     solid::Engine,
     solid_models::Solid,
-    solid_peers::{Bits, Floats, LAMP, radians},
+    solid_peers::{Bits, FloatWall, Floats, LAMP, radians},
+    solid_wall::{SIDE, TEXTURE},
 };
 
 /// With pixels of RGB565, or of bits.
@@ -32,6 +34,8 @@ pub struct Embedded3dgfx<P> {
     engine: K3dengine,
     cube: K3dMesh<'static>,
     torus: K3dMesh<'static>,
+    wall: K3dMesh<'static>,
+    textures: TextureManager<1>,
 }
 
 /// What it draws on.
@@ -55,6 +59,27 @@ fn mesh(solid: Solid) -> K3dMesh<'static> {
     mesh
 }
 
+fn wall(size: Size) -> K3dMesh<'static> {
+    let FloatWall { positions, uvs, triangles, .. } = FloatWall::new(size);
+    let faces = triangles.map(|corners| face_normal(corners.map(|at| positions[at])));
+    let geometry = Geometry::new(positions.to_vec().leak(), triangles.to_vec().leak())
+        .with_normals(faces.to_vec().leak())
+        .with_uvs(uvs.to_vec().leak())
+        .with_texture(0);
+    let mut mesh = K3dMesh::new(geometry);
+    mesh.set_render_mode(RenderMode::Textured);
+    mesh
+}
+
+fn textures() -> TextureManager<1> {
+    let grey = |&grey: &u8| Rgb565::new(grey / 8, grey / 4, grey / 8);
+    let texels: Vec<_> = TEXTURE.iter().map(grey).collect();
+    let mut textures = TextureManager::new();
+    let side = u32::try_from(SIDE).expect("small");
+    assert_eq!(textures.add_texture(Texture::new(texels.leak(), side, side)), Some(0));
+    textures
+}
+
 fn face_normal([a, b, c]: [[f32; 3]; 3]) -> [f32; 3] {
     let minus = |p: [f32; 3], q: [f32; 3]| [p[0] - q[0], p[1] - q[1], p[2] - q[2]];
     let ([ux, uy, uz], [vx, vy, vz]) = (minus(b, a), minus(c, a));
@@ -75,6 +100,8 @@ impl<P: Pixels> Embedded3dgfx<P> {
             engine,
             cube: mesh(Solid::Cube),
             torus: mesh(Solid::Torus),
+            wall: wall(size),
+            textures: textures(),
         }
     }
 }
@@ -101,6 +128,18 @@ impl<P: Pixels> Engine for Embedded3dgfx<P> {
         // Recording also orders to clear the depths.
         let recorded = self.engine.record([&*mesh], &mut self.commands, None);
         let drawn = self.engine.execute(&mut self.pixels, &mut context, &self.commands, None);
+        assert!(recorded.is_ok() && drawn.is_ok());
+    }
+
+    const HAS_WALL: bool = true;
+
+    fn wall(&mut self) {
+        self.darken();
+        let Size { width, height } = self.pixels.size();
+        let mut context = FrameCtx { zbuffer: &mut self.depths, width: width as usize, height: height as usize };
+        let recorded = self.engine.record([&self.wall], &mut self.commands, None);
+        let Self { engine, pixels, commands, textures, .. } = self;
+        let drawn = engine.execute_with_textures(pixels, &mut context, commands, textures, None);
         assert!(recorded.is_ok() && drawn.is_ok());
     }
 

@@ -6,7 +6,7 @@ use euc::{Pipeline, Target, buffer::Buffer2d, rasterizer::Triangles};
 use super::{
     solid::Engine,
     solid_models::Solid,
-    solid_peers::{Bits, Floats, Turn, byte},
+    solid_peers::{Bits, FloatWall, Floats, Turn, byte, texel},
 };
 
 /// Its own buffer, of a byte a pixel.
@@ -20,6 +20,7 @@ pub struct Euc<P> {
     turns: Vec<Turn>,
     cube: Corners,
     torus: Corners,
+    wall: FloatWall,
 }
 
 /// What colours are written to.
@@ -56,6 +57,7 @@ impl<P: Pixels> Euc<P> {
             turns: Turn::all(size),
             cube: Corners::of(Solid::Cube),
             torus: Corners::of(Solid::Torus),
+            wall: FloatWall::new(size),
         }
     }
 }
@@ -82,6 +84,24 @@ impl Pipeline for Shaded<'_> {
     }
 }
 
+/// Those of the wall.
+struct Textured<'a>(&'a FloatWall);
+
+impl Pipeline for Textured<'_> {
+    type Vertex = usize;
+    type VsOut = (f32, f32);
+    type Pixel = u8;
+
+    fn vert(&self, &at: &usize) -> ([f32; 4], (f32, f32)) {
+        let [x, y, z] = self.0.positions[at];
+        (self.0.to_clip.map(|[a, b, c, d]| a * x + b * y + c * z + d), self.0.uvs[at].map(|part| part * 64.0).into())
+    }
+
+    fn frag(&self, &(u, v): &(f32, f32)) -> u8 {
+        texel([u, v])
+    }
+}
+
 impl<P: Pixels> Engine for Euc<P> {
     fn size(&self) -> Size {
         self.size
@@ -100,6 +120,15 @@ impl<P: Pixels> Engine for Euc<P> {
         };
         let shaded = Shaded { solid, turn: &self.turns[usize::from(frame)] };
         shaded.draw::<Triangles<_>, _>(vertices, &mut self.pixels, Some(&mut self.depth));
+    }
+
+    const HAS_WALL: bool = true;
+
+    fn wall(&mut self) {
+        self.pixels.clear(0);
+        self.depth.clear(1.0);
+        let vertices = self.wall.triangles.as_flattened();
+        Textured(&self.wall).draw::<Triangles<_>, _>(vertices, &mut self.pixels, Some(&mut self.depth));
     }
 
     fn picture(&self, look: impl FnOnce(&[u8])) {

@@ -93,6 +93,12 @@ impl Engine for Ours<'_> {
         let _ = draw_mesh(&Instance::new(mesh, placement), &self.scene, &mut workspace, &mut light);
     }
 
+    /// Set when [`wall`](Engine::wall) draws.
+    const HAS_WALL: bool = false;
+
+    /// The pipeline has no textures yet.
+    fn wall(&mut self) {}
+
     fn picture(&self, look: impl FnOnce(&[u8])) {
         look(self.frame.bytes());
     }

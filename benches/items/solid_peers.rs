@@ -5,6 +5,7 @@ use embedded_graphics::geometry::Size;
 use super::{
     solid::{FRAMES, angles},
     solid_models::Solid,
+    solid_wall::{SCALE, SIDE, TEXTURE, Wall},
 };
 
 /// A solid in floats.
@@ -44,18 +45,12 @@ impl Turn {
         (0..FRAMES).map(|frame| Self::new(size, frame)).collect()
     }
 
-    #[expect(clippy::cast_precision_loss, reason = "small numbers")]
     fn new(size: Size, frame: u16) -> Self {
         let [(sin_x, cos_x), (sin_y, cos_y)] = radians(frame).map(f32::sin_cos);
         let rotation =
             [[cos_y, sin_y * sin_x, sin_y * cos_x], [0.0, cos_x, -sin_x], [-sin_y, cos_y * sin_x, cos_y * cos_x]];
-        let (near, far) = (0.4, 20.0);
-        let (a, b) = ((far + near) / (far - near), 2.0 * far * near / (far - near));
-        let across = 2.0 * size.height as f32 / size.width as f32;
-        let row = |factor: f32, [x, y, z]: [f32; 3], w: f32| [factor * x, factor * y, factor * z, w];
         let [right, up, back] = rotation;
-        // The solid is 4 in front of the eye.
-        let to_clip = [row(across, right, 0.0), row(2.0, up, 0.0), row(-a, back, 4.0 * a - b), row(-1.0, back, 4.0)];
+        let to_clip = projected(size, rotation, 4.0);
         let lamp = [0, 1, 2].map(|axis| right[axis] * LAMP[0] + up[axis] * LAMP[1] + back[axis] * LAMP[2]);
         Self { to_clip, lamp }
     }
@@ -66,6 +61,47 @@ impl Turn {
         let [lx, ly, lz] = self.lamp;
         0.1 + 0.9 * (x * lx + y * ly + z * lz).max(0.0)
     }
+}
+
+/// The matrix from something turned, and moved so far in front of the eye, to clip space.
+#[expect(clippy::cast_precision_loss, reason = "small numbers")]
+pub fn projected(size: Size, [right, up, back]: [[f32; 3]; 3], distance: f32) -> [[f32; 4]; 4] {
+    let (near, far) = (0.4, 20.0);
+    let (a, b) = ((far + near) / (far - near), 2.0 * far * near / (far - near));
+    let across = 2.0 * size.height as f32 / size.width as f32;
+    let row = |factor: f32, [x, y, z]: [f32; 3], w: f32| [factor * x, factor * y, factor * z, w];
+    [row(across, right, 0.0), row(2.0, up, 0.0), row(-a, back, distance * a - b), row(-1.0, back, distance)]
+}
+
+/// The textured wall in floats.
+#[derive(Clone, Debug)]
+pub struct FloatWall {
+    pub positions: [[f32; 3]; 4],
+    /// 0 to 1.
+    pub uvs: [[f32; 2]; 4],
+    pub triangles: [[usize; 3]; 2],
+    pub to_clip: [[f32; 4]; 4],
+}
+
+impl FloatWall {
+    #[expect(clippy::cast_precision_loss, reason = "small numbers")]
+    pub fn new(size: Size) -> Self {
+        let Wall { positions, uvs, triangles } = Wall::new(size);
+        Self {
+            positions: positions.map(|place| place.map(|v| f32::from(v) / 16_384.0 * f32::from(SCALE))),
+            uvs: uvs.map(|uv| uv.map(|v| v as f32 / 65_536.0)),
+            triangles: triangles.map(|corners| corners.map(usize::from)),
+            to_clip: projected(size, [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]], 0.0),
+        }
+    }
+}
+
+/// The texel at a place counted in texels, as shaders look it up.
+#[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "it saturates, and is masked")]
+#[inline]
+pub fn texel([u, v]: [f32; 2]) -> u8 {
+    let [u, v] = [u, v].map(|part| part as i32 as usize & (SIDE - 1));
+    TEXTURE[v * SIDE + u]
 }
 
 /// The angles of a frame, about x and about y.

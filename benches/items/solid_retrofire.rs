@@ -14,7 +14,7 @@ use retrofire_core::{
 use super::{
     solid::Engine,
     solid_models::Solid,
-    solid_peers::{Bits, Floats, Turn, byte},
+    solid_peers::{Bits, FloatWall, Floats, Turn, byte, texel},
 };
 
 /// With pixels of bytes, or of bits.
@@ -26,6 +26,7 @@ pub struct Retrofire<P> {
     context: Context,
     cube: Vertices,
     torus: Vertices,
+    wall: Textured,
 }
 
 /// What colours and depths are written to.
@@ -55,6 +56,27 @@ impl Vertices {
     }
 }
 
+/// The wall.
+struct Textured {
+    vertices: Vec<Vertex3<(f32, f32)>>,
+    triangles: [Tri<usize>; 2],
+    to_clip: ProjMat3<Model>,
+}
+
+impl Textured {
+    fn new(size: Size) -> Self {
+        let FloatWall { positions, uvs, triangles, to_clip } = FloatWall::new(size);
+        let vertices = positions.into_iter().zip(uvs);
+        Self {
+            vertices: vertices
+                .map(|([x, y, z], [u, v])| Vertex { pos: pt3(x, y, z), attrib: (64.0 * u, 64.0 * v) })
+                .collect(),
+            triangles: triangles.map(Tri),
+            to_clip: Matrix::new(to_clip),
+        }
+    }
+}
+
 fn dims(size: Size) -> Dims {
     Dims(size.width, size.height)
 }
@@ -73,6 +95,7 @@ impl<P: Pixels> Retrofire<P> {
             context: Context { face_cull: Some(FaceCull::Front), ..Context::default() },
             cube: Vertices::of(Solid::Cube),
             torus: Vertices::of(Solid::Torus),
+            wall: Textured::new(size),
         }
     }
 }
@@ -107,6 +130,21 @@ impl<P: Pixels> Engine for Retrofire<P> {
         render(triangles, vertices, &shader, (), self.to_screen, &mut self.pixels, &self.context);
     }
 
+    const HAS_WALL: bool = true;
+
+    fn wall(&mut self) {
+        self.pixels.clear();
+        let Textured { vertices, triangles, to_clip } = &self.wall;
+        let shader = shader::new(
+            |vertex: Vertex3<(f32, f32)>, ()| Vertex { pos: to_clip.apply(&vertex.pos), attrib: vertex.attrib },
+            |fragment: Frag<(f32, f32)>, ()| {
+                let grey = texel(fragment.var.into());
+                rgba(grey, grey, grey, 255)
+            },
+        );
+        render(triangles, vertices, &shader, (), self.to_screen, &mut self.pixels, &self.context);
+    }
+
     fn picture(&self, look: impl FnOnce(&[u8])) {
         look(&self.pixels.bits(self.size).bytes);
     }
@@ -124,6 +162,7 @@ pub type Bytes = Framebuf<Colorbuf<Buf2<u8>, Grey>, Buf2<f32>>;
 pub struct Grey;
 
 impl IntoPixel<u8, Grey> for Color4 {
+    #[inline]
     fn into_pixel(self, _format: Grey) -> u8 {
         self.0[0]
     }
