@@ -12,7 +12,7 @@
 //! computed: each is kept as a fraction of two distances, and two are compared by cross multiplication, exactly. So
 //! there are divisions only for an end that is cut, after the line has been accepted.
 //!
-//! A boundary is whatever tells distances: the [faces](Volume::faces) of the volume, [`ClipPlane`](super::ClipPlane)s
+//! A boundary is whatever tells distances: the [faces](Volume::faces) of the volume, [`ClipPlane`](super::clip_plane::ClipPlane)s
 //! and, for lines in the world or in a model, [`HalfSpace`](super::half_space::HalfSpace)s.
 //!
 //! Y.-D. Liang and B. A. Barsky, "A new concept and method for line clipping", ACM Transactions on Graphics

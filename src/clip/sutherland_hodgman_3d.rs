@@ -5,7 +5,7 @@
 //! ```
 //!
 //! One boundary after the other, from one list into another and back, and only those beyond which there is a vertex:
-//! most polygons need one or none. See [`sutherland_hodgman`](super::sutherland_hodgman) for the method, its exact and
+//! most polygons need one or none. See [`sutherland_hodgman`] for the method, its exact and
 //! symmetric cuts, and the bounds.
 
 use heapless::vec::VecView;

@@ -16,8 +16,8 @@
 //! - **Same both ways, and in every window.** The ends are put in order first. The pixels are walked on the exact edge
 //!   stepper that fills are walked on, attributes by one product from the first end: entered anywhere, a line has the
 //!   pixels and the attributes of the whole one.
-//! - **Attributes** stay between those of the ends. After `k` pixels they are less than `k/32768` of a unit nearer to the
-//!   first end than the exact line: an eighth across 4000 pixels.
+//! - **Attributes** stay between those of the ends. After `k` pixels they are at most `(k + 2)/32768` of a unit nearer
+//!   to the first end than the exact line: an eighth across 4000 pixels.
 
 use core::ops::Range;
 
@@ -163,7 +163,7 @@ impl<const N: usize> RampLine<N> {
         } else {
             -divide_floor(-missing, across * i64::from(SUBPIXELS)).0
         };
-        low_i32(step).clamp(passed.start, passed.end)
+        low_i32(step).max(passed.start).min(passed.end)
     }
 
     /// The exact stepper of the minor pixels: of fills, where it gives a centre that is not left of the edge, so `⌈x − ½⌉`.
