@@ -166,6 +166,7 @@ pub use raster::{
     path::{Path, Segment},
     polygon::Polygon,
     polyline::Polyline,
+    ramp_line::RampLine,
     rounded_rectangle::RoundedRectangle,
     stipple::{Stipple, StippledLine},
     stroke::{Stroked, dash::Dashed},

@@ -24,8 +24,7 @@ use super::{
 /// The part of a line in clip space that lies in a volume; `None` if it has none.
 ///
 /// What [`liang_barsky_3d::clip`](super::liang_barsky_3d::clip) gives, to the last bit. No arithmetic but for the
-/// outcodes if they decide; else two distances a plane that is looked at, and one 64-bit division for each coordinate
-/// of an end that is cut.
+/// outcodes if they decide; else two distances a plane that is looked at, and one 64-bit division for an end that is cut.
 ///
 /// ```
 /// use aquatint::{Clip, Point4, Scalar, clip::{cohen_sutherland_3d::clip, volume::Volume}};

@@ -11,7 +11,7 @@
 //! place from both ends: two polygons that share an edge still share it when both have been cut.
 
 use crate::{
-    num::{Scalar, Subpixel, saturate_u16, saturate_u32},
+    num::{Scalar, Subpixel, low_u32, saturate_u16, saturate_u32},
     space::Point2,
     vary::Vertex,
 };
@@ -33,7 +33,10 @@ impl Cut for Point2 {
 
 impl<const N: usize> Cut for Vertex<N> {
     fn cut(inside: Self, outside: Self, crossing: Crossing) -> Self {
-        let attributes = crossing.attributes(inside.attributes, outside.attributes);
+        let mut attributes = inside.attributes;
+        for (attribute, outside) in attributes.iter_mut().zip(outside.attributes) {
+            *attribute = crossing.attribute(*attribute, outside);
+        }
         Self { position: Cut::cut(inside.position, outside.position, crossing), attributes }
     }
 }
@@ -89,20 +92,6 @@ impl Crossing {
         saturate_u16(self.between(inside as i32, outside as i32).nearest as i64)
     }
 
-    /// [`attribute`](Self::attribute) for a list of them.
-    pub(super) fn attributes<const N: usize>(self, mut inside: [u16; N], outside: [u16; N]) -> [u16; N] {
-        for (attribute, outside) in inside.iter_mut().zip(outside) {
-            *attribute = self.attribute(*attribute, outside);
-        }
-        inside
-    }
-
-    /// [`coordinate`](Self::coordinate) for a 16.16 number.
-    #[must_use]
-    pub const fn scalar(self, inside: Scalar, outside: Scalar) -> Scalar {
-        Scalar::from_bits(self.coordinate(inside.to_bits(), outside.to_bits()))
-    }
-
     /// The value at the boundary, and the whole numbers around it.
     pub(super) const fn between(self, inside: i32, outside: i32) -> Rounded {
         if inside == outside {
@@ -118,6 +107,81 @@ impl Crossing {
             nearest: floor.wrapping_add((rest >= self.whole.wrapping_sub(rest)) as i32),
             ceiling: floor.wrapping_add((rest > 0) as i32),
         }
+    }
+}
+
+/// A crossing at which many values are wanted: one division for all of them.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Mixer {
+    crossing: Crossing,
+    /// `2³² · part / whole`, nearly: off by less than 3, and not more than 1 too small if both are short.
+    way: u32,
+    /// Part and whole, if they are below 2³¹: as between vertices in clip space that are not far out.
+    short: Option<(u32, u32)>,
+}
+
+impl Mixer {
+    /// Divides once, by the leading 32 bits of the whole.
+    pub(super) const fn new(crossing: Crossing) -> Self {
+        let excess = (u64::BITS - crossing.whole.leading_zeros()).saturating_sub(u32::BITS);
+        let (part, whole) = (crossing.part >> excess, crossing.whole >> excess);
+        let way = match (part << u32::BITS).checked_div(whole) {
+            Some(way) => saturate_u32(way),
+            None => 0,
+        };
+        let is_short = 0 < crossing.whole && crossing.whole < 1 << 31;
+        let short = if is_short { Some((saturate_u32(part), saturate_u32(whole))) } else { None };
+        Self { crossing, way, short }
+    }
+
+    /// [`Crossing::coordinate`]: the same number for all values, without a division.
+    #[inline]
+    pub(super) fn coordinate(&self, inside: i32, outside: i32) -> i32 {
+        let Some((part, whole)) = self.short else { return self.long_coordinate(inside, outside) };
+        let (from, part, way) =
+            if inside < outside { (inside, part, self.way) } else { (outside, whole - part, !self.way) };
+        let length = inside.abs_diff(outside);
+        let steps = low_u32(((u64::from(length) * u64::from(way)) >> u32::BITS).cast_signed());
+        // A step less than it should be at most, so the rest is less than twice the whole: right although products wrap.
+        let rest = length.wrapping_mul(part).wrapping_sub(steps.wrapping_mul(whole));
+        let (steps, rest) = if rest >= whole { (steps + 1, rest - whole) } else { (steps, rest) };
+        from.wrapping_add_unsigned(steps).wrapping_add(i32::from(rest >= whole - rest))
+    }
+
+    /// The same for distances of up to 60 bits, as from planes of the user's; from there on with a division each.
+    #[inline(never)]
+    fn long_coordinate(&self, inside: i32, outside: i32) -> i32 {
+        let Crossing { part, whole } = self.crossing;
+        let signed_whole = whole.cast_signed();
+        if inside == outside || !(1..1 << 60).contains(&signed_whole) {
+            return self.crossing.coordinate(inside, outside);
+        }
+        let (from, part, way) =
+            if inside < outside { (inside, part, self.way) } else { (outside, whole - part, !self.way) };
+        let length = u64::from(inside.abs_diff(outside));
+        // Less than four off, so the rest is less than four times the whole.
+        let mut steps = (length * u64::from(way)) >> u32::BITS;
+        let mut rest = length.wrapping_mul(part).wrapping_sub(steps.wrapping_mul(whole)).cast_signed();
+        while rest < 0 {
+            (steps, rest) = (steps.wrapping_sub(1), rest + signed_whole);
+        }
+        while rest >= signed_whole {
+            (steps, rest) = (steps.wrapping_add(1), rest - signed_whole);
+        }
+        from.wrapping_add_unsigned(saturate_u32(steps)).wrapping_add(i32::from(rest >= signed_whole - rest))
+    }
+
+    /// [`coordinate`](Self::coordinate) for a 16.16 number.
+    pub(super) fn scalar(&self, inside: Scalar, outside: Scalar) -> Scalar {
+        Scalar::from_bits(self.coordinate(inside.to_bits(), outside.to_bits()))
+    }
+
+    /// [`coordinate`](Self::coordinate) for attributes.
+    pub(super) fn attributes<const N: usize>(&self, mut inside: [u16; N], outside: [u16; N]) -> [u16; N] {
+        for (attribute, outside) in inside.iter_mut().zip(outside) {
+            *attribute = saturate_u16(self.coordinate((*attribute).into(), outside.into()).into());
+        }
+        inside
     }
 }
 
@@ -197,6 +261,8 @@ mod tests {
             prop_assert_eq!([floor, nearest, ceiling].map(i128::from), exact(a, b, there.fraction()));
             let back = Crossing { part: outside.unsigned_abs(), ..there };
             prop_assert_eq!(back.between(b, a), there.between(a, b));
+            prop_assert_eq!(Mixer::new(there).coordinate(a, b), nearest, "one division for all");
+            prop_assert_eq!(Mixer::new(back).coordinate(b, a), nearest);
         }
     }
 

@@ -73,6 +73,7 @@ impl<S> HalfSpace<S> {
     }
 
     /// From a normal with 16 fraction bits and an offset with 32, at most 3·2⁶⁰.
+    #[inline(never)]
     pub(super) fn of_bits(normal: [i32; 3], offset: i64) -> Result<Self, OutOfRange> {
         if normal.iter().any(|v| v.unsigned_abs() > NORMAL_LIMIT) {
             return Err(OutOfRange);

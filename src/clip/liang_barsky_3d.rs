@@ -12,7 +12,7 @@
 //! computed: each is kept as a fraction of two distances, and two are compared by cross multiplication, exactly. So
 //! there are divisions only for an end that is cut, after the line has been accepted.
 //!
-//! A boundary is whatever tells distances: the [faces](Volume::faces) of the volume, [`ClipPlane`](super::ClipPlane)s
+//! A boundary is whatever tells distances: the [faces](Volume::faces) of the volume, [`ClipPlane`](super::clip_plane::ClipPlane)s
 //! and, for lines in the world or in a model, [`HalfSpace`](super::half_space::HalfSpace)s.
 //!
 //! Y.-D. Liang and B. A. Barsky, "A new concept and method for line clipping", ACM Transactions on Graphics
@@ -38,7 +38,7 @@ pub fn clip<V: Homogeneous + Cut>(line: (V, V), volume: Volume) -> Option<(V, V)
 
 /// The part of a line that lies on the inner side of all boundaries, in any space; `None` if it has none.
 ///
-/// No memory. Two distances a boundary, one 64-bit division for each coordinate of an end that is cut.
+/// No memory. Two distances a boundary, one 64-bit division for an end that is cut.
 ///
 /// ```
 /// use aquatint::{HalfSpace, Point3, Scalar, Vector3, World, clip::liang_barsky_3d::clip_to};

@@ -5,7 +5,7 @@
 //! ```
 //!
 //! One boundary after the other, from one list into another and back, and only those beyond which there is a vertex:
-//! most polygons need one or none. See [`sutherland_hodgman`](super::sutherland_hodgman) for the method, its exact and
+//! most polygons need one or none. See [`sutherland_hodgman`] for the method, its exact and
 //! symmetric cuts, and the bounds.
 
 use heapless::vec::VecView;
@@ -24,8 +24,7 @@ use super::{
 /// It is in one of the two lists, whose contents are used up. Of `n` vertices and `k` planes, a convex polygon has at
 /// most `n + k + 7`, any other `n + (k + 7)·⌊n/2⌋`: that is the room that both lists need.
 ///
-/// Cost: an outcode a vertex; a distance for each vertex and clip plane; one 64-bit division for each coordinate
-/// and attribute where an edge is cut.
+/// Cost: an outcode a vertex; a distance for each vertex and clip plane; one 64-bit division where an edge is cut.
 ///
 /// # Errors
 /// [`Full`] when a list has no room.

@@ -11,7 +11,7 @@
 
 use crate::space::{Clip, Point3, Point4};
 
-use super::crossing::{Crossing, Cut};
+use super::crossing::{Crossing, Cut, Mixer};
 
 /// A vertex that has a place in clip space.
 pub trait Homogeneous: Copy {
@@ -55,28 +55,36 @@ impl<const N: usize> Homogeneous for ClipVertex<N> {
 
 impl<const N: usize> Cut for ClipVertex<N> {
     fn cut(inside: Self, outside: Self, crossing: Crossing) -> Self {
-        let attributes = crossing.attributes(inside.attributes, outside.attributes);
-        Self { point: Cut::cut(inside.point, outside.point, crossing), attributes }
+        let mixer = Mixer::new(crossing);
+        Self {
+            point: point_between(inside.point, outside.point, &mixer),
+            attributes: mixer.attributes(inside.attributes, outside.attributes),
+        }
     }
 }
 
 impl<S: Copy> Cut for Point4<S> {
     fn cut(inside: Self, outside: Self, crossing: Crossing) -> Self {
-        Self::new(
-            crossing.scalar(inside.x, outside.x),
-            crossing.scalar(inside.y, outside.y),
-            crossing.scalar(inside.z, outside.z),
-            crossing.scalar(inside.w, outside.w),
-        )
+        point_between(inside, outside, &Mixer::new(crossing))
     }
 }
 
 impl<S: Copy> Cut for Point3<S> {
     fn cut(inside: Self, outside: Self, crossing: Crossing) -> Self {
+        let mixer = Mixer::new(crossing);
         Self::new(
-            crossing.scalar(inside.x, outside.x),
-            crossing.scalar(inside.y, outside.y),
-            crossing.scalar(inside.z, outside.z),
+            mixer.scalar(inside.x, outside.x),
+            mixer.scalar(inside.y, outside.y),
+            mixer.scalar(inside.z, outside.z),
         )
     }
+}
+
+fn point_between<S: Copy>(inside: Point4<S>, outside: Point4<S>, mixer: &Mixer) -> Point4<S> {
+    Point4::new(
+        mixer.scalar(inside.x, outside.x),
+        mixer.scalar(inside.y, outside.y),
+        mixer.scalar(inside.z, outside.z),
+        mixer.scalar(inside.w, outside.w),
+    )
 }

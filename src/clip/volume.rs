@@ -212,7 +212,7 @@ mod tests {
             (0..6_i32).prop_map(|v| i32::MAX - v),
             (-3..3_i32, 0..4_u32).prop_map(|(v, shift)| (1 << (31 - shift)) ^ v),
         ];
-        let times = prop::sample::select(&[-4_i64, -1, 0, 1, 4][..]);
+        let times = prop::sample::select(&[-4_i64, -1, 0, 1, 4]);
         let near = move || (times.clone(), -2..=2_i64, any::<i32>(), 0..4_u8);
         (w, prop::array::uniform3(near())).prop_map(|(w, sides)| {
             let [x, y, z] = sides.map(

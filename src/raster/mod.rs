@@ -17,6 +17,7 @@
 //! | the same | what a pen along them covers | [`stroke`], then [`scan`] |
 //! | the same, and lines, circles, rectangles | how much of each pixel they cover | [`area`], with colours [`antialiased`] |
 //! | three corners with attributes | ramps | [`triangle`] |
+//! | two ends with attributes | ramps | [`ramp_line`] |
 //! | a picture and a pixel of it | the region around it | [`flood`] |
 //!
 //! **The rule.** A pixel belongs to an area when its centre, at halves, is inside. A centre
@@ -48,6 +49,7 @@ pub mod flood;
 pub mod path;
 pub mod polygon;
 pub mod polyline;
+pub mod ramp_line;
 mod round;
 pub mod rounded_rectangle;
 pub mod scan;

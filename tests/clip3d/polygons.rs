@@ -1,8 +1,13 @@
 //! Polygons in clip space: what is kept, how many vertices there are, and that shared edges stay shared.
 
 use aquatint::{
-    ClipPlane, ClipVertex, Scalar,
-    clip::{sutherland_hodgman, sutherland_hodgman_3d::clip, volume::Volume, window::Boundary},
+    Clip, ClipPlane, ClipVertex, Frustum, Matrix, Point3, Scalar, World,
+    clip::{
+        sutherland_hodgman::{self, Pipeline, Stage},
+        sutherland_hodgman_3d::clip,
+        volume::Volume,
+        window::Boundary,
+    },
 };
 use heapless::Vec;
 use proptest::prelude::*;
@@ -12,10 +17,13 @@ use super::{places, vertex, vertices};
 /// Room for a triangle or a convex quadrilateral, four planes and the volume.
 type List = Vec<ClipVertex<2>, 15>;
 
+fn plane() -> impl Strategy<Value = ClipPlane> {
+    let coefficients = prop::array::uniform4(-1_i32 << 29..=1 << 29);
+    coefficients.prop_map(|c| ClipPlane::new(c.map(Scalar::from_bits)).expect("in range"))
+}
+
 fn planes(most: usize) -> impl Strategy<Value = std::vec::Vec<ClipPlane>> {
-    let plane = prop::array::uniform4(-1_i32 << 29..=1 << 29);
-    let plane = plane.prop_map(|c| ClipPlane::new(c.map(Scalar::from_bits)).expect("in range"));
-    prop::collection::vec(plane, 0..=most)
+    prop::collection::vec(plane(), 0..=most)
 }
 
 fn clipped(polygon: &[ClipVertex<2>], planes: &[ClipPlane], volume: Volume) -> List {
@@ -36,6 +44,13 @@ fn left_of_all(polygon: &[ClipVertex<2>], (x, y): (f64, f64)) -> f64 {
     let edges = polygon.iter().zip(polygon.iter().cycle().skip(1)).map(|(a, b)| (place(a), place(b)));
     let beside = edges.map(|((ax, ay), (bx, by))| (bx - ax) * (y - ay) - (by - ay) * (x - ax));
     beside.fold(f64::MAX, f64::min)
+}
+
+/// The vertices in an order of their own.
+fn sorted(list: &[ClipVertex<2>]) -> std::vec::Vec<String> {
+    let mut keys: std::vec::Vec<_> = list.iter().map(|v| format!("{v:?}")).collect();
+    keys.sort();
+    keys
 }
 
 proptest! {
@@ -103,13 +118,33 @@ proptest! {
     #[test]
     fn turned_round_it_is_the_same_polygon(corners in prop::array::uniform3(vertices()), planes in planes(3)) {
         let [a, b, c] = corners.map(vertex);
-        let sorted = |list: List| {
-            let mut keys: std::vec::Vec<_> = list.iter().map(|v| format!("{v:?}")).collect();
-            keys.sort();
-            keys
-        };
         let kept = clipped(&[a, b, c], &planes, Volume::GuardBand);
-        prop_assert_eq!(sorted(kept), sorted(clipped(&[b, a, c], &planes, Volume::GuardBand)));
+        prop_assert_eq!(sorted(&kept), sorted(&clipped(&[b, a, c], &planes, Volume::GuardBand)));
+    }
+
+    #[test]
+    fn stages_in_a_row_give_what_lists_give(
+        corners in prop::array::uniform3(vertices()), planes in prop::collection::vec(plane(), 3), is_view in any::<bool>(),
+    ) {
+        let (mut list, mut next) = (List::from_slice(&corners.map(vertex)).expect("room"), List::new());
+        for plane in &planes {
+            sutherland_hodgman::clip(&list, |v| plane.distance(v), &mut next).expect("room");
+            core::mem::swap(&mut list, &mut next);
+        }
+        let mut stages: std::vec::Vec<_> = planes.into_iter().map(Stage::new).collect();
+        let mut between = List::new();
+        Pipeline::new(&mut stages).clip(&corners.map(vertex), |v| between.push(v)).expect("room");
+        // They begin at different vertices.
+        prop_assert_eq!(sorted(&list), sorted(&between));
+
+        let volume = if is_view { Volume::View } else { Volume::GuardBand };
+        for face in volume.faces() {
+            sutherland_hodgman::clip(&list, |v| face.distance(v), &mut next).expect("room");
+            core::mem::swap(&mut list, &mut next);
+        }
+        let (mut stages, mut given) = (volume.faces().map(Stage::new), List::new());
+        Pipeline::new(&mut stages).clip(&between, |v| given.push(v)).expect("room");
+        prop_assert_eq!(sorted(&list), sorted(&given));
     }
 
     #[test]
@@ -146,4 +181,14 @@ fn no_room_is_said() {
     let corner = |x: i32| vertex(([x * one, 0, 0, one], [0, 0]));
     let mut list = Vec::<_, 3>::from_slice(&[corner(0), corner(3), corner(5)]).expect("room");
     assert!(clip(&mut list, &mut Vec::<_, 1>::new(), &[], Volume::View).is_err());
+}
+
+#[test]
+fn a_polygon_of_the_world_against_the_sides_of_a_frustum() {
+    let frustum = Frustum::new(&Matrix::<World, Clip>::IDENTITY).expect("in range");
+    let corner = |x: i32, y: i32| Point3::<World>::new(Scalar::from_num(x), Scalar::from_num(y), Scalar::ZERO);
+    let (mut stages, mut kept) = (frustum.sides().map(Stage::new), Vec::<_, 10>::new());
+    Pipeline::new(&mut stages).clip(&[corner(0, 0), corner(3, 0), corner(0, 3)], |v| kept.push(v)).expect("room");
+    let places: std::vec::Vec<_> = kept.iter().map(|v| (v.x.to_num::<i32>(), v.y.to_num::<i32>())).collect();
+    assert_eq!(places, [(0, 0), (1, 0), (1, 1), (0, 1)]);
 }
