@@ -58,6 +58,12 @@ pub trait Engine {
     /// Draws the textured wall, clearing included.
     fn wall(&mut self);
 
+    /// Whether [`flat`](Self::flat) is drawn.
+    const HAS_FLAT: bool = false;
+
+    /// Draws a frame with one light a face, clearing included; the cube, which is convex, without depths.
+    fn flat(&mut self, _solid: Solid, _frame: u16) {}
+
     /// Shows the picture as bits, rows of whole bytes, as we would dither it.
     fn picture(&self, look: impl FnOnce(&[u8]));
 
@@ -73,6 +79,12 @@ impl<E: Engine> Stage<E> {
     #[expect(clippy::unnecessary_wraps, reason = "an item")]
     fn cycle(&mut self, solid: Solid) -> Result<(), Infallible> {
         (0..black_box(FRAMES)).for_each(|frame| self.0.frame(black_box(solid), frame));
+        Ok(())
+    }
+
+    #[expect(clippy::unnecessary_wraps, reason = "an item")]
+    fn flat_cycle(&mut self, solid: Solid) -> Result<(), Infallible> {
+        (0..black_box(FRAMES)).for_each(|frame| self.0.flat(black_box(solid), frame));
         Ok(())
     }
 
@@ -117,6 +129,11 @@ pub fn items<'s, E: Engine>() -> &'s [Item<Stage<E>>] {
     &[("cube", |s| s.cycle(Solid::Cube)), ("torus", |s| s.cycle(Solid::Torus))]
 }
 
+/// What those draw who have it.
+fn flat_items<'s, E: Engine>() -> &'s [Item<Stage<E>>] {
+    &[("cube_flat", |s| s.flat_cycle(Solid::Cube)), ("torus_flat", |s| s.flat_cycle(Solid::Torus))]
+}
+
 /// Comes to everybody who draws solids, on every panel.
 pub trait Engines {
     fn engine<E: Engine>(&mut self, panel: &'static str, who: &'static str, engine: E);
@@ -129,6 +146,9 @@ impl<V: Visitor> Engines for Items<'_, V> {
     fn engine<E: Engine>(&mut self, panel: &'static str, who: &'static str, engine: E) {
         let mut stage = Stage(engine);
         for &(item, draw) in items() {
+            self.0.visit(Label { item, panel, who, frames: FRAMES }, &mut stage, draw);
+        }
+        for &(item, draw) in flat_items().iter().filter(|_| E::HAS_FLAT) {
             self.0.visit(Label { item, panel, who, frames: FRAMES }, &mut stage, draw);
         }
         if E::HAS_WALL {

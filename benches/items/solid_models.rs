@@ -18,6 +18,8 @@ pub struct Model {
     pub positions: &'static [[i16; 3]],
     pub normals: &'static [[i8; 3]],
     pub triangles: &'static [[u16; 3]],
+    /// One normal a triangle.
+    pub face_normals: &'static [[i8; 3]],
 }
 
 /// The most vertices of a solid.
@@ -36,20 +38,47 @@ struct Arrays<const V: usize, const T: usize> {
     positions: [[i16; 3]; V],
     normals: [[i8; 3]; V],
     triangles: [[u16; 3]; T],
+    face_normals: [[i8; 3]; T],
 }
 
 impl<const V: usize, const T: usize> Arrays<V, T> {
     fn model(&'static self) -> Model {
-        Model { positions: &self.positions, normals: &self.normals, triangles: &self.triangles }
+        let Self { positions, normals, triangles, face_normals } = self;
+        Model { positions, normals, triangles, face_normals }
+    }
+
+    /// With normals of faces, from cross products.
+    const fn with_face_normals(mut self) -> Self {
+        let mut face = 0;
+        while face < T {
+            let [a, b, c] = self.triangles[face];
+            let from = self.positions[a as usize];
+            let (u, v) = (between(from, self.positions[b as usize]), between(from, self.positions[c as usize]));
+            let cross = [u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]];
+            let length = (cross[0] * cross[0] + cross[1] * cross[1] + cross[2] * cross[2]).isqrt();
+            let mut axis = 0;
+            while axis < 3 {
+                self.face_normals[face][axis] = (cross[axis] * 127 / length) as i8;
+                axis += 1;
+            }
+            face += 1;
+        }
+        self
     }
 }
 
-static CUBE: Arrays<8, 12> = cube();
-static TORUS: Arrays<VERTICES, 1008> = torus();
+static CUBE: Arrays<8, 12> = cube().with_face_normals();
+static TORUS: Arrays<VERTICES, 1008> = torus().with_face_normals();
+
+/// In 2.10, so that squares fit.
+const fn between(from: [i16; 3], to: [i16; 3]) -> [i64; 3] {
+    [(to[0] - from[0]) as i64 / 16, (to[1] - from[1]) as i64 / 16, (to[2] - from[2]) as i64 / 16]
+}
 
 /// Bit 0 of a vertex's number is its side along x, bit 1 along y, bit 2 along z.
 const fn cube() -> Arrays<8, 12> {
-    let mut arrays = Arrays { positions: [[0; 3]; 8], normals: [[0; 3]; 8], triangles: [[0; 3]; 12] };
+    let mut arrays =
+        Arrays { positions: [[0; 3]; 8], normals: [[0; 3]; 8], triangles: [[0; 3]; 12], face_normals: [[0; 3]; 12] };
     let mut vertex = 0;
     while vertex < 8 {
         let mut axis = 0;
@@ -76,7 +105,12 @@ const ACROSS: usize = 18;
 
 /// About the z axis.
 const fn torus() -> Arrays<VERTICES, 1008> {
-    let mut arrays = Arrays { positions: [[0; 3]; VERTICES], normals: [[0; 3]; VERTICES], triangles: [[0; 3]; 1008] };
+    let mut arrays = Arrays {
+        positions: [[0; 3]; VERTICES],
+        normals: [[0; 3]; VERTICES],
+        triangles: [[0; 3]; 1008],
+        face_normals: [[0; 3]; 1008],
+    };
     let mut at = 0;
     while at < VERTICES {
         let (i, j) = (at / ACROSS, at % ACROSS);

@@ -2,10 +2,14 @@
 
 use aquatint::{
     Angle, Dithered, Frame, Levels, Light, Matrix, Model, Rect, Rows, Scalar, Vector3, View, World,
+    fragment::{
+        shade::{Flat, Textured, Unlit},
+        texture::{Sampler, Texture},
+    },
     geometry::{light::Lamp, projection::Lens, viewport::Viewport},
-    hidden::depth::DepthBuffer,
+    hidden::{convex::Convex, depth::DepthBuffer},
     model::mesh::Mesh,
-    pipeline::{Camera, Instance, MeshVertex, Scene, Workspace, draw_mesh},
+    pipeline::{Camera, Instance, Material, MeshVertex, Scene, Workspace, draw_mesh},
 };
 use embedded_graphics::{
     draw_target::DrawTarget,
@@ -16,6 +20,7 @@ use embedded_graphics::{
 use super::{
     solid::{Engine, angles},
     solid_models::Solid,
+    solid_wall::{SCALE, TEXTURE, Wall},
 };
 
 /// What is lent: a bit and a depth a pixel, and a vertex for each of the largest solid.
@@ -30,8 +35,8 @@ pub struct Ours<'m> {
     depth: DepthBuffer<'m>,
     vertices: &'m mut [MeshVertex],
     scene: Scene,
-    cube: Mesh<'static>,
-    torus: Mesh<'static>,
+    /// By number.
+    solids: [Mesh<'static>; 2],
 }
 
 impl<'m> Ours<'m> {
@@ -42,16 +47,32 @@ impl<'m> Ours<'m> {
             depth: DepthBuffer::new(memory.depths, rect).ok()?,
             vertices: memory.vertices,
             scene: scene(rect)?,
-            cube: mesh(Solid::Cube)?,
-            torus: mesh(Solid::Torus)?,
+            solids: [mesh(Solid::Cube)?, mesh(Solid::Torus)?],
         })
     }
 }
 
 fn mesh(solid: Solid) -> Option<Mesh<'static>> {
     let model = solid.model();
-    Mesh::new(model.positions, model.normals, model.triangles).ok()
+    let mesh = Mesh::new(model.positions, model.normals, model.triangles).ok()?;
+    mesh.with_face_normals(model.face_normals).ok()
 }
+
+/// How a solid lies.
+fn placement(frame: u16) -> Matrix<Model, World> {
+    let [about_x, about_y] = angles(frame).map(Angle);
+    Matrix::<Model, Model>::rotation_x(about_x).then(&Matrix::rotation_y(about_y))
+}
+
+/// The light of a texel: its code is an amount.
+static GREYS: [Light; 256] = {
+    let (mut lights, mut code) = ([Light::BLACK; 256], 0);
+    while code < 256 {
+        lights[code] = Light::naive_from_code(code.to_le_bytes()[0]);
+        code += 1;
+    }
+    lights
+};
 
 /// Of 53.13°, whose half has the tangent ½.
 const FIELD_OF_VIEW: Angle = Angle(9672);
@@ -81,23 +102,51 @@ impl Engine for Ours<'_> {
     fn frame(&mut self, solid: Solid, frame: u16) {
         self.darken();
         self.depth.clear();
-        let [about_x, about_y] = angles(frame).map(Angle);
-        let placement = Matrix::<Model, Model>::rotation_x(about_x).then(&Matrix::rotation_y(about_y));
-        let mesh = match solid {
-            Solid::Cube => self.cube,
-            Solid::Torus => self.torus,
-        };
         let mut workspace = Workspace { vertices: self.vertices, hidden: &mut self.depth };
         let mut light = Dithered::new(&mut self.frame, Levels::ONE_BIT);
         // A solid that was refused would show as an empty picture.
-        let _ = draw_mesh(&Instance::new(mesh, placement), &self.scene, &mut workspace, &mut light);
+        let _ = draw_mesh(
+            &Instance::new(self.solids[solid as usize], placement(frame)),
+            &self.scene,
+            &mut workspace,
+            &mut light,
+        );
     }
 
-    /// Set when [`wall`](Engine::wall) draws.
-    const HAS_WALL: bool = false;
+    const HAS_FLAT: bool = true;
 
-    /// The pipeline has no textures yet.
-    fn wall(&mut self) {}
+    fn flat(&mut self, solid: Solid, frame: u16) {
+        self.darken();
+        let instance = Instance::new(self.solids[solid as usize], placement(frame)).with_material(Material::new(Flat));
+        let mut light = Dithered::new(&mut self.frame, Levels::ONE_BIT);
+        let _ = if solid == Solid::Cube {
+            let mut workspace = Workspace { vertices: self.vertices, hidden: &mut Convex };
+            draw_mesh(&instance, &self.scene, &mut workspace, &mut light)
+        } else {
+            self.depth.clear();
+            let mut workspace = Workspace { vertices: self.vertices, hidden: &mut self.depth };
+            draw_mesh(&instance, &self.scene, &mut workspace, &mut light)
+        };
+    }
+
+    const HAS_WALL: bool = true;
+
+    fn wall(&mut self) {
+        self.darken();
+        self.depth.clear();
+        let Wall { positions, uvs, triangles } = Wall::new(self.frame.size());
+        let uvs = uvs.map(|uv| uv.map(|v| i16::try_from(v >> 4).unwrap_or(i16::MAX)));
+        let mesh = Mesh::new(&positions, &[[0, 0, 127]; 4], &triangles).and_then(|mesh| mesh.with_uv(&uvs));
+        let (Ok(mesh), Ok(texture)) = (mesh, Texture::new(&TEXTURE, 64, 64, &GREYS)) else { return };
+        let shading = Textured::new(Sampler::new(texture), Unlit);
+        let placement = Matrix::scale(Scalar::from_num(SCALE));
+        let instance = Instance::new(mesh, placement).with_material(Material::new(shading));
+        let mut scene = self.scene;
+        scene.camera.view = Matrix::IDENTITY;
+        let mut workspace = Workspace { vertices: self.vertices, hidden: &mut self.depth };
+        let mut light = Dithered::new(&mut self.frame, Levels::ONE_BIT);
+        let _ = draw_mesh(&instance, &scene, &mut workspace, &mut light);
+    }
 
     fn picture(&self, look: impl FnOnce(&[u8])) {
         look(self.frame.bytes());
