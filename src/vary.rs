@@ -50,6 +50,18 @@ impl<const N: usize> Ramp<N> {
         now
     }
 
+    /// The attributes of the next pixel, which stays the next.
+    #[inline]
+    pub(crate) const fn fine(&self) -> [u32; N] {
+        self.values
+    }
+
+    /// Leaves out pixels.
+    #[inline]
+    pub(crate) fn leave_out(&mut self, pixels: u32) {
+        *self = self.clone().skipped(pixels);
+    }
+
     /// The ramp `pixels` further on.
     #[inline]
     pub(crate) fn skipped(mut self, pixels: u32) -> Self {

@@ -18,7 +18,7 @@ use core::ops::Range;
 use super::{Dithered, Mask};
 use crate::{
     colour::Light,
-    num::{FRACTION_16_15, bits, from_16_15, index, to_16_15},
+    num::{FRACTION_16_15, bits, from_16_15, index, low_index, to_16_15},
     target::{Code, Target},
     vary::Ramp,
 };
@@ -110,20 +110,17 @@ where
         let colors = [T::Color::from_code(0), T::Color::from_code(1)];
         let (shades, mask) = (&self.shades, &self.mask);
         let switches = self.switches.of_row(0, row, || shades.switches(mask.eight(row)));
-        // Pixels of the first eight that are before the run, and that are in it or behind.
-        let (mut before, mut left) = (bits(columns.start & 7), bits(columns.end.wrapping_sub(columns.start)));
+        // Pixels of the first eight that are before the run, and all that are in it.
+        let (mut before, mut left) = (index(columns.start & 7), index(columns.end.wrapping_sub(columns.start)));
         self.target.write_bits(row, columns, colors, move || {
-            let mut byte = 0;
-            let first = core::mem::take(&mut before);
-            for (switch, bit) in switches.iter().zip(0_u32..).skip(first as usize) {
-                if left == 0 {
-                    break;
-                }
-                left -= 1;
+            let end = before.saturating_add(left).min(8);
+            let wanted = switches.get(core::mem::take(&mut before)..end).unwrap_or_default();
+            left -= wanted.len();
+            let byte = wanted.iter().fold(0_u8, |byte, switch| {
                 let light = lights.next().unwrap_or_default();
-                byte |= u8::from(to_16_15(light.0) >= *switch) << (7 - bit);
-            }
-            byte
+                byte << 1 | u8::from(to_16_15(light.0) >= *switch)
+            });
+            byte.checked_shl(8 - low_index(end)).unwrap_or(0)
         })
     }
 

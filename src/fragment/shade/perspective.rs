@@ -17,7 +17,7 @@ use super::Placed;
 use crate::{
     num::{Scalar, bits, reciprocal, saturate_u32, to_16_15},
     space::LEAST_W,
-    vary::{Plane, Slopes},
+    vary::{Plane, Ramp, Slopes},
 };
 
 /// `N` attributes over a triangle in perspective.
@@ -66,33 +66,23 @@ impl<const N: usize> Perspective<N> {
     /// The attributes from a pixel on to the right, as 16.15 numbers.
     #[inline]
     #[must_use]
-    pub fn at(&self, row: i32, column: i32) -> PerspectiveRun<'_, N> {
-        PerspectiveRun { plane: self, row, column, left: 0, values: [0; N], steps: [0; N], next: None }
-    }
-
-    /// The attributes at the centre of a pixel; `None` where the division is out of range, outside of the triangle.
-    #[inline]
-    fn divided(&self, row: i32, column: i32) -> Option<[u32; N]> {
-        let [mut over] = self.one_over_w.at(row, column).next_fine();
-        let parts = self.over_w.at(row, column).next_fine();
-        // To 28 digits or more, by steps of two: most of what is seen is not much farther than the nearest corner.
-        let mut shift = 0;
-        while over < 1 << 28 {
-            if shift > 20 {
-                return None;
-            }
-            over <<= 2;
-            shift += 2;
-        }
-        // 2⁴⁴ / over
-        let inverse = u32::MAX.checked_div(over >> 12).filter(|_| over < 1 << 31)?;
-        let mut values = self.least;
-        for (value, part) in values.iter_mut().zip(parts) {
-            // Outside of the triangle a part may be negative, or greater than the whole.
-            let part = (part.cast_signed()).checked_mul(1 << shift).filter(|part| part.unsigned_abs() < 2 * over)?;
-            *value = value.wrapping_add(bits((part >> 14).wrapping_mul(inverse.cast_signed()) << 1));
-        }
-        Some(values)
+    pub fn at(&self, row: i32, column: i32) -> PerspectiveRun<N> {
+        let into = bits(column) % BLOCK;
+        let first = column.wrapping_sub(into.cast_signed());
+        let (over_w, one_over_w) = (self.over_w.at(row, first), self.one_over_w.at(row, first));
+        let mut run = PerspectiveRun {
+            least: self.least,
+            over_w,
+            one_over_w,
+            left: 0,
+            into,
+            values: [0; N],
+            steps: [0; N],
+            start: None,
+            by_pixel: false,
+        };
+        run.start = run.divided();
+        run
     }
 }
 
@@ -105,42 +95,86 @@ fn quotient(near: Scalar, w: Scalar) -> u32 {
 
 /// The attributes along a row, a pixel a step.
 #[derive(Clone, Debug)]
-pub struct PerspectiveRun<'p, const N: usize> {
-    plane: &'p Perspective<N>,
-    row: i32,
-    column: i32,
+pub struct PerspectiveRun<const N: usize> {
+    least: [u32; N],
+    /// Where the block begins that is next, or the pixel that is next of one that is divided pixel by pixel.
+    over_w: Ramp<N>,
+    one_over_w: Ramp<1>,
     /// Pixels of the block that are still to come.
     left: u32,
+    /// Pixels of the first block that lie before the run.
+    into: u32,
     values: [u32; N],
     steps: [u32; N],
     /// The values where the next block begins.
-    next: Option<[u32; N]>,
+    start: Option<[u32; N]>,
+    by_pixel: bool,
 }
 
-impl<const N: usize> PerspectiveRun<'_, N> {
-    /// Begins the block that a column is in, or a block of one pixel where that is divided by itself.
+impl<const N: usize> PerspectiveRun<N> {
+    /// Begins the next block.
     #[inline(never)]
     fn begin(&mut self) {
-        let into = bits(self.column) % BLOCK;
-        let first = self.column.wrapping_sub(into.cast_signed());
-        let start = self.next.take().or_else(|| self.plane.divided(self.row, first));
-        let end = self.plane.divided(self.row, first.wrapping_add(BLOCK.cast_signed()));
-        if let (Some(start), Some(end)) = (start, end) {
-            (self.values, self.next) = (start, Some(end));
+        let into = core::mem::take(&mut self.into);
+        self.left = BLOCK - into;
+        let (over_w, one_over_w) = (self.over_w.clone(), self.one_over_w.clone());
+        self.over_w.leave_out(BLOCK);
+        self.one_over_w.leave_out(BLOCK);
+        let start = core::mem::replace(&mut self.start, self.divided());
+        self.by_pixel = false;
+        if let (Some(start), Some(end)) = (start, self.start) {
+            self.values = start;
             for ((value, step), end) in self.values.iter_mut().zip(&mut self.steps).zip(end) {
                 *step = bits(end.wrapping_sub(*value).cast_signed() >> BLOCK.ilog2());
                 *value = value.wrapping_add(step.wrapping_mul(into));
             }
-            self.left = BLOCK - into;
         } else {
-            self.values = self.plane.divided(self.row, self.column).unwrap_or(self.plane.least);
-            self.left = 1;
+            (self.over_w, self.one_over_w) = (over_w.skipped(into), one_over_w.skipped(into));
+            self.by_pixel = true;
         }
-        self.column = self.column.wrapping_add(self.left.cast_signed());
+    }
+
+    /// A pixel of a block that is divided pixel by pixel.
+    #[cold]
+    fn next_by_pixel(&mut self) -> [u32; N] {
+        let value = self.divided().unwrap_or(self.least);
+        self.over_w.leave_out(1);
+        self.one_over_w.leave_out(1);
+        if self.left == 0 {
+            self.start = self.divided();
+        }
+        value
+    }
+
+    /// The attributes where the next block begins; `None` where the division is out of range, outside of the triangle.
+    #[inline]
+    fn divided(&self) -> Option<[u32; N]> {
+        let [mut over] = self.one_over_w.fine();
+        // To 28 digits or more, by steps of two: most of what is seen is not much farther than the nearest corner.
+        let mut shift = 0;
+        while over < 1 << 28 {
+            if shift > 20 {
+                return None;
+            }
+            (over, shift) = (over << 2, shift + 2);
+        }
+        // 2⁴⁴ / over
+        let inverse = u32::MAX.checked_div(over >> 12).filter(|_| over < 1 << 31)?;
+        let mut values = self.least;
+        for (value, part) in values.iter_mut().zip(self.over_w.fine()) {
+            // Outside of the triangle a part may be negative, or greater than the whole.
+            let scaled = part << shift;
+            let is_in_range = scaled.cast_signed() >> shift == part.cast_signed();
+            if !is_in_range || scaled.cast_signed().unsigned_abs() >= 2 * over {
+                return None;
+            }
+            *value = value.wrapping_add(bits((scaled.cast_signed() >> 14).wrapping_mul(inverse.cast_signed()) << 1));
+        }
+        Some(values)
     }
 }
 
-impl<const N: usize> Iterator for PerspectiveRun<'_, N> {
+impl<const N: usize> Iterator for PerspectiveRun<N> {
     type Item = [u32; N];
 
     #[inline]
@@ -149,6 +183,9 @@ impl<const N: usize> Iterator for PerspectiveRun<'_, N> {
             self.begin();
         }
         self.left -= 1;
+        if self.by_pixel {
+            return Some(self.next_by_pixel());
+        }
         let now = self.values;
         for (value, step) in self.values.iter_mut().zip(self.steps) {
             *value = value.wrapping_add(step);
