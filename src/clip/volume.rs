@@ -94,6 +94,15 @@ impl Volume {
     /// The outcode of a point: one bit for each of [`Plane::ALL`] beyond which it lies. Lecture 3.5.2.
     ///
     /// Seven comparisons of 32 bits while w is within ±8192. Right for all coordinates.
+    ///
+    /// ```
+    /// use aquatint::{Clip, Point4, Scalar, clip::volume::Volume};
+    ///
+    /// let [nil, one, two] = [0, 1, 2].map(Scalar::from_num);
+    /// // Beside the view, to the right; yet it can be drawn.
+    /// let point = Point4::<Clip>::new(two, nil, nil, one);
+    /// assert_eq!([Volume::View, Volume::GuardBand].map(|volume| volume.outcode(&point)), [0b001_0000, 0]);
+    /// ```
     #[inline]
     #[must_use]
     pub fn outcode(self, point: &Point4<Clip>) -> u8 {

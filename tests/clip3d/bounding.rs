@@ -237,6 +237,29 @@ fn a_turned_sphere_is_hardly_larger() {
 }
 
 #[test]
+fn at_the_border_a_vertex_may_be_rounded_to_either_side() {
+    let half = Scalar::from_num(0.5);
+    let mut rows = *Matrix::<World, Clip>::IDENTITY.rows();
+    rows[0][0] = half;
+    let matrix = Matrix::from_rows(rows);
+    let frustum = Frustum::new(&matrix).unwrap();
+    for (sign, beyond) in [1, -1].into_iter().flat_map(|sign| (-4..=4).map(move |beyond| (sign, beyond))) {
+        // So many halves of a unit beyond the border.
+        let place = [sign * ((2 << 16) + beyond), 0, 0];
+        let verdict = box_of(&[place]).against(&frustum);
+        let want = match beyond {
+            ..=-2 => Verdict::Inside,
+            -1..=2 => Verdict::Crossing,
+            _ => Verdict::Outside,
+        };
+        assert_eq!(verdict, want, "{sign} {beyond}");
+        assert_eq!(BoundingSphere::new(point3(place), 0).against(&frustum), want);
+        let is_seen = Volume::View.outcode(&matrix.transform_point(point3(place))) == 0;
+        assert!(if is_seen { verdict != Verdict::Outside } else { verdict != Verdict::Inside });
+    }
+}
+
+#[test]
 fn sides_are_in_the_order_of_the_planes() {
     let frustum = Frustum::new(&Matrix::<World, Clip>::IDENTITY).unwrap();
     let far = 5 << 16;

@@ -54,7 +54,7 @@ fn sorted(list: &[ClipVertex<2>]) -> std::vec::Vec<String> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(20_000))]
+    #![proptest_config(ProptestConfig::with_cases(8_000))]
 
     #[test]
     fn a_boundary_adds_one_vertex_at_most_to_a_convex_polygon(

@@ -111,6 +111,14 @@ proptest! {
     }
 
     #[test]
+    fn bilinear_light_at_256ths_of_a_texel_is_the_nearest(mut case in cases()) {
+        case.place = case.place.map(|v| v & !0xFF);
+        let [u, v] = case.place;
+        let error = f64::from(Sampler::new(case.texture()).with_filter(Bilinear).sample(u, v).0) - case.between(repeat);
+        prop_assert!(error.abs() <= 0.500_001, "off by {error}");
+    }
+
+    #[test]
     fn at_the_centres_of_texels_both_filters_give_the_texel(case in cases()) {
         let [u, v] = case.place.map(|v| v >> 16 << 16 | 0x8000);
         let sampler = Sampler::new(case.texture());
