@@ -120,7 +120,8 @@ impl<const N: usize> PerspectiveRun<N> {
         let (over_w, one_over_w) = (self.over_w.clone(), self.one_over_w.clone());
         self.over_w.leave_out(BLOCK);
         self.one_over_w.leave_out(BLOCK);
-        let start = core::mem::replace(&mut self.start, self.divided());
+        let end = self.divided();
+        let start = core::mem::replace(&mut self.start, end);
         self.by_pixel = false;
         if let (Some(start), Some(end)) = (start, self.start) {
             self.values = start;
