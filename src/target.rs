@@ -85,6 +85,22 @@ pub trait Target {
         self.write_run(row, columns, colors.map(Some))
     }
 
+    /// Gives every pixel of a run one of two colours that repeat every eight columns, counted on the screen: the highest
+    /// bit is for the columns 0, 8, 16 …
+    ///
+    /// # Errors
+    /// What the display behind says.
+    #[inline]
+    fn fill_bits(
+        &mut self,
+        row: i32,
+        columns: Range<i32>,
+        [off, on]: [Self::Color; 2],
+        byte: u8,
+    ) -> Result<(), Self::Error> {
+        self.fill_run(row, columns, bits_of(byte).map(|bit| if bit { on } else { off }))
+    }
+
     /// Gives every pixel of a run one of two colours, eight at a time: `next` gives a byte for eight columns, of which
     /// the first is a multiple of eight and in the highest bit. It begins at or before the run.
     ///
@@ -136,7 +152,13 @@ pub trait Target {
 
 /// The bits of bytes without end, from the highest one on.
 pub(crate) fn bits_of_bytes(next: impl FnMut() -> u8) -> impl Iterator<Item = bool> {
-    core::iter::repeat_with(next).flat_map(|byte| [7, 6, 5, 4, 3, 2, 1, 0].map(|bit| byte >> bit & 1 == 1))
+    core::iter::repeat_with(next).flat_map(bits_of)
+}
+
+/// The bits of a byte, from the highest one on.
+#[inline]
+pub(crate) fn bits_of(byte: u8) -> [bool; 8] {
+    [7, 6, 5, 4, 3, 2, 1, 0].map(|bit| byte >> bit & 1 == 1)
 }
 
 /// What a shape is filled with: a colour, a pattern, a picture, a gradient …

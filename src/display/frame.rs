@@ -288,6 +288,16 @@ impl<C: PixelColor, L: Layout<C>, B: AsMut<[u8]>> Target for Frame<C, L, B> {
     }
 
     #[inline]
+    fn fill_bits(&mut self, row: i32, columns: Range<i32>, colors: [C; 2], byte: u8) -> Result<(), Infallible> {
+        let visible = if self.holds(row, &columns) { Some(columns) } else { self.rect().clip_run(row, columns) };
+        if let Some(visible) = visible {
+            let columns = position(bits(visible.start))..position(bits(visible.end));
+            L::fill_bits((self.memory_mut(), position(bits(row))), columns, colors, byte);
+        }
+        Ok(())
+    }
+
+    #[inline]
     fn write_bits(
         &mut self,
         row: i32,

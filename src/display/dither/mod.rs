@@ -251,8 +251,7 @@ where
 
     fn fill_run<const N: usize>(&mut self, row: i32, columns: Range<i32>, colors: [Light; N]) -> Result<(), T::Error> {
         if let ([light], true) = (colors.as_slice(), M::REPEATS) {
-            let codes = self.flat(row, *light);
-            return self.target.fill_run(row, columns, codes);
+            return self.fill_flat(row, columns, *light);
         }
         if let (Some(lights), true) = (eight(&colors), M::REPEATS) {
             let mut thresholds = self.mask.eight(row).into_iter();

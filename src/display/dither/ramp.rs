@@ -34,16 +34,18 @@ pub(super) struct Switches {
     known: u8,
     /// … and between which level and the next.
     code: u8,
+    /// One light, and in which of eight columns it shows the brighter code; of which rows, a bit each.
+    flat: (Light, [u8; 8], u8),
 }
 
 impl Switches {
-    pub(super) const UNKNOWN: Self = Self { rows: [[0; 8]; 8], known: 0, code: 0 };
+    pub(super) const UNKNOWN: Self = Self { rows: [[0; 8]; 8], known: 0, code: 0, flat: (Light::BLACK, [0; 8], 0) };
 
     /// Those of the columns 0 to 7 of a row, of which every eighth is alike, above the level of a code.
     #[inline]
     fn of_row(&mut self, code: u8, row: i32, exceeded: impl FnOnce() -> [u32; 8]) -> &[u32; 8] {
         if self.code != code {
-            (self.code, self.known) = (code, 0);
+            (self.code, self.known, self.flat.2) = (code, 0, 0);
         }
         let phase = index(row & 7);
         if self.known >> phase & 1 == 0 {
@@ -57,10 +59,41 @@ impl Switches {
     }
 }
 
+impl Switches {
+    /// The columns of a row in which a light shows the brighter code.
+    #[inline]
+    fn flat(&mut self, light: Light, code: u8, row: i32, exceeded: impl FnOnce() -> [u32; 8]) -> u8 {
+        if self.flat.0 != light || self.code != code {
+            (self.flat.0, self.flat.2) = (light, 0);
+        }
+        let phase = index(row & 7);
+        if self.flat.2 >> phase & 1 == 0 {
+            let fine = to_16_15(light.0);
+            let switches = self.of_row(code, row, exceeded);
+            let byte = switches.iter().fold(0, |byte, switch| byte << 1 | u8::from(fine >= *switch));
+            if let Some(known) = self.flat.1.get_mut(phase) {
+                *known = byte;
+            }
+            self.flat.2 |= 1 << phase;
+        }
+        self.flat.1.get(phase).copied().unwrap_or_default()
+    }
+}
+
 impl<T: Target, M: Mask> Dithered<'_, '_, T, M>
 where
     T::Color: Code,
 {
+    /// A run of one light.
+    #[inline]
+    pub(super) fn fill_flat(&mut self, row: i32, columns: Range<i32>, light: Light) -> Result<(), T::Error> {
+        self.shades.move_to(light);
+        let code = self.shades.darker();
+        let (shades, mask) = (&self.shades, &self.mask);
+        let byte = self.switches.flat(light, code, row, || shades.switches(mask.eight(row)));
+        self.target.fill_bits(row, columns, [code, code.wrapping_add(1)].map(T::Color::from_code), byte)
+    }
+
     /// Draws a run in the best way.
     #[inline]
     pub(super) fn draw_ramp(&mut self, row: i32, columns: Range<i32>, ramp: Ramp<1>) -> Result<(), T::Error> {

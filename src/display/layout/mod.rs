@@ -38,7 +38,7 @@ use core::{marker::PhantomData, ops::Range};
 use crate::{
     display::{blit::Packing, region::Alike},
     num::count,
-    target::{Code, bits_of_bytes},
+    target::{Code, bits_of, bits_of_bytes},
 };
 
 /// Which end of a byte holds the first of its pixels.
@@ -99,6 +99,13 @@ pub trait Layout<C: Copy>: sealed::Sealed + Alike<C> + Packing {
 
     /// Gives the pixels from a column on one colour each; `None` is skipped. They end inside.
     fn write(memory: Memory<&mut [u8]>, row: usize, column: usize, colors: impl Iterator<Item = Option<C>>);
+
+    /// Gives the pixels of some columns of a row one of two colours that repeat every eight columns, from the highest
+    /// bit on. The columns are not empty, and lie inside.
+    #[inline]
+    fn fill_bits((memory, row): (Memory<&mut [u8]>, usize), columns: Range<usize>, [off, on]: [C; 2], byte: u8) {
+        Self::fill(memory, row..row.wrapping_add(1), columns, bits_of(byte).map(|bit| if bit { on } else { off }));
+    }
 
     /// Gives the pixels of some columns of a row one of two colours; `next` gives a bit for each of eight columns, of
     /// which the first, in the highest bit, is the multiple of eight at or before the first column.
@@ -248,6 +255,11 @@ impl<C: Code, L: Layout<C>> Layout<C> for Inverted<L> {
     #[inline]
     fn write(memory: Memory<&mut [u8]>, row: usize, column: usize, colors: impl Iterator<Item = Option<C>>) {
         L::write(memory, row, column, colors.map(|color| color.map(inverse)));
+    }
+
+    #[inline]
+    fn fill_bits(line: (Memory<&mut [u8]>, usize), columns: Range<usize>, colors: [C; 2], byte: u8) {
+        L::fill_bits(line, columns, colors.map(inverse), byte);
     }
 
     #[inline]

@@ -82,6 +82,18 @@ impl<C: Code, O: Order> Layout<C> for Rows<O> {
     }
 
     #[inline]
+    fn fill_bits((memory, row): (Memory<&mut [u8]>, usize), columns: Range<usize>, [off, on]: [C; 2], byte: u8) {
+        if C::BITS == 1 {
+            let (off, on) = (repeat::<C>(off), repeat::<C>(on));
+            let bits = if O::MSB_FIRST { byte } else { byte.reverse_bits() };
+            BitRun::new::<O>(columns).fill_one(memory, row, off ^ (bits & (off ^ on)));
+        } else {
+            let colors = crate::target::bits_of(byte).map(|bit| if bit { on } else { off });
+            Self::fill(memory, row..row.wrapping_add(1), columns, colors);
+        }
+    }
+
+    #[inline]
     fn write_bits(
         (memory, row): (Memory<&mut [u8]>, usize),
         columns: Range<usize>,

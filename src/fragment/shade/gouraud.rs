@@ -30,7 +30,8 @@ impl Shading for Unlit {
 
     #[inline]
     fn colors<I: Illumination>(&self, _light: &I, _face: &(), _at: (i32, i32)) -> impl Iterator<Item = Option<Light>> {
-        core::iter::repeat(Some(Light::WHITE))
+        // Not `repeat`, which would keep the light in memory.
+        core::iter::repeat_with(|| Some(Light::WHITE))
     }
 
     #[inline]

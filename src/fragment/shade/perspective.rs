@@ -67,6 +67,13 @@ impl<const N: usize> Perspective<N> {
     #[inline]
     #[must_use]
     pub fn at(&self, row: i32, column: i32) -> PerspectiveRun<N> {
+        self.scaled_at(row, column, None)
+    }
+
+    /// The same as signed numbers, of which zero is in the middle of their range: 2³⁰ less, times two, and shifted to
+    /// the right by these numbers of digits, so that this is not done for each pixel.
+    #[inline]
+    pub(super) fn scaled_at(&self, row: i32, column: i32, scale: Option<[u32; N]>) -> PerspectiveRun<N> {
         let into = bits(column) % BLOCK;
         let first = column.wrapping_sub(into.cast_signed());
         let (over_w, one_over_w) = (self.over_w.at(row, first), self.one_over_w.at(row, first));
@@ -80,6 +87,7 @@ impl<const N: usize> Perspective<N> {
             steps: [0; N],
             start: None,
             by_pixel: false,
+            scale,
         };
         run.start = run.divided();
         run
@@ -109,12 +117,14 @@ pub struct PerspectiveRun<const N: usize> {
     /// The values where the next block begins.
     start: Option<[u32; N]>,
     by_pixel: bool,
+    scale: Option<[u32; N]>,
 }
 
 impl<const N: usize> PerspectiveRun<N> {
-    /// Begins the next block.
+    /// Begins the next block. By value, so that the caller keeps what changes from pixel to pixel in registers.
+    #[cold]
     #[inline(never)]
-    fn begin(&mut self) {
+    fn begun(mut self) -> Self {
         let into = core::mem::take(&mut self.into);
         self.left = BLOCK - into;
         let (over_w, one_over_w) = (self.over_w.clone(), self.one_over_w.clone());
@@ -123,7 +133,7 @@ impl<const N: usize> PerspectiveRun<N> {
         let end = self.divided();
         let start = core::mem::replace(&mut self.start, end);
         self.by_pixel = false;
-        if let (Some(start), Some(end)) = (start, self.start) {
+        if let (Some(start), Some(end)) = (start, end) {
             self.values = start;
             for ((value, step), end) in self.values.iter_mut().zip(&mut self.steps).zip(end) {
                 *step = bits(end.wrapping_sub(*value).cast_signed() >> BLOCK.ilog2());
@@ -133,18 +143,20 @@ impl<const N: usize> PerspectiveRun<N> {
             (self.over_w, self.one_over_w) = (over_w.skipped(into), one_over_w.skipped(into));
             self.by_pixel = true;
         }
+        self
     }
 
-    /// A pixel of a block that is divided pixel by pixel.
+    /// Steps over a pixel of a block that is divided pixel by pixel, whose values it leaves behind.
     #[cold]
-    fn next_by_pixel(&mut self) -> [u32; N] {
-        let value = self.divided().unwrap_or(self.least);
+    #[inline(never)]
+    fn divided_one(mut self) -> Self {
+        self.values = self.divided().unwrap_or(self.least);
         self.over_w.leave_out(1);
         self.one_over_w.leave_out(1);
         if self.left == 0 {
             self.start = self.divided();
         }
-        value
+        self
     }
 
     /// The attributes where the next block begins; `None` where the division is out of range, outside of the triangle.
@@ -171,6 +183,11 @@ impl<const N: usize> PerspectiveRun<N> {
             }
             *value = value.wrapping_add(bits((scaled.cast_signed() >> 14).wrapping_mul(inverse.cast_signed()) << 1));
         }
+        if let Some(scale) = self.scale {
+            for (value, right) in values.iter_mut().zip(scale) {
+                *value = bits((value.cast_signed().wrapping_sub(1 << 30) << 1) >> right);
+            }
+        }
         Some(values)
     }
 }
@@ -181,11 +198,12 @@ impl<const N: usize> Iterator for PerspectiveRun<N> {
     #[inline]
     fn next(&mut self) -> Option<[u32; N]> {
         if self.left == 0 {
-            self.begin();
+            *self = self.clone().begun();
         }
         self.left -= 1;
         if self.by_pixel {
-            return Some(self.next_by_pixel());
+            *self = self.clone().divided_one();
+            return Some(self.values);
         }
         let now = self.values;
         for (value, step) in self.values.iter_mut().zip(self.steps) {

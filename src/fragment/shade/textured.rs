@@ -5,6 +5,7 @@ use crate::{
     colour::Light,
     fragment::texture::{Filter, Sampler, Texels, Wrap},
     illumination::Illumination,
+    num::bits,
     vary::{Plane, Varying},
 };
 
@@ -67,7 +68,8 @@ impl<T: Texels, W: Wrap, F: Filter, S: Shading<Color = Light>> Shading for Textu
         (places, face): &Self::Face,
         at @ (row, column): (i32, i32),
     ) -> impl Iterator<Item = Option<Light>> {
-        lit(&self.sampler, places.at(row, column), self.shading.colors(light, face, at))
+        let places = places.scaled_at(row, column, Some(self.sampler.fine_shifts()));
+        lit(&self.sampler, places, self.shading.colors(light, face, at))
     }
 }
 
@@ -105,8 +107,13 @@ impl<T: Texels, W: Wrap, F: Filter, S: Shading<Color = Light>> Shading for Affin
         (places, face): &Self::Face,
         at @ (row, column): (i32, i32),
     ) -> impl Iterator<Item = Option<Light>> {
-        let mut places = places.at(row, column);
-        let places = core::iter::repeat_with(move || places.next_fine());
+        let (mut places, right) = (places.at(row, column), self.sampler.fine_shifts());
+        let places = core::iter::repeat_with(move || {
+            let [u, v] = places.next_fine();
+            // Attributes are unsigned, with the zero of texture coordinates in the middle.
+            let place = |fine: u32, right: u32| bits((fine.cast_signed().wrapping_sub(1 << 30) << 1) >> right);
+            [place(u, right[0]), place(v, right[1])]
+        });
         lit(&self.sampler, places, self.shading.colors(light, face, at))
     }
 }
@@ -118,12 +125,7 @@ fn lit<T: Texels, W: Wrap, F: Filter>(
     places: impl Iterator<Item = [u32; 2]>,
     lights: impl Iterator<Item = Option<Light>>,
 ) -> impl Iterator<Item = Option<Light>> {
-    let right = sampler.fine_shifts();
-    places.zip(lights).map(move |([u, v], light)| {
-        // Attributes are unsigned, with the zero of texture coordinates in the middle.
-        let place = |fine: u32, right: u32| (fine.cast_signed().wrapping_sub(1 << 30) << 1) >> right;
-        Some(reflected(sampler.sample(place(u, right[0]), place(v, right[1])), light?))
-    })
+    places.zip(lights).map(|([u, v], light)| Some(reflected(sampler.sample(u.cast_signed(), v.cast_signed()), light?)))
 }
 
 /// Corners with only the first, and with only the second of what they carry.
