@@ -105,7 +105,13 @@ impl OwnedMesh {
         Ok(Self {
             positions: raw.positions.iter().map(|p| quantised_place(p, middle, radius)).collect(),
             normals: raw.shading_normals().iter().map(unit_normal).collect(),
-            uv: raw.uv.iter().map(quantised_uv).collect::<Option<_>>().ok_or("has texture coordinates beyond 8")?,
+            uv: raw
+                .uv
+                .iter()
+                .copied()
+                .map(quantised_uv)
+                .collect::<Option<_>>()
+                .ok_or("has texture coordinates beyond 8")?,
             triangles: triangles.ok_or("names a vertex that does not exist")?,
         })
     }
@@ -193,7 +199,7 @@ fn unit_normal(normal: &[f32; 3]) -> [i8; 3] {
 
 /// 4.12 fixed point, v downwards from the upper left corner.
 #[expect(clippy::cast_possible_truncation, reason = "a float-to-int cast saturates")]
-fn quantised_uv([u, v]: &[f32; 2]) -> Option<[i16; 2]> {
-    let parts = [*u, 1.0 - v].map(|v| (v * 4096.0).round());
+fn quantised_uv([u, v]: [f32; 2]) -> Option<[i16; 2]> {
+    let parts = [u, 1.0 - v].map(|v| (v * 4096.0).round());
     parts.iter().all(|v| (-32_768.0..=32_767.0).contains(v)).then(|| parts.map(|v| v as i16))
 }
