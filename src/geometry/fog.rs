@@ -96,7 +96,7 @@ impl Fog {
     pub fn over(&self, light: Light, w: Scalar) -> Light {
         let part = u32::from(self.part(w));
         // The whole of 65536 where all is hidden.
-        let part = part + (part >> 15);
+        let part = part + u32::from(part == 0xFFFF);
         let mixed = u32::from(light.0) * (65_536 - part);
         // Both at most 65535 · 65536 together.
         Light(high_u16((mixed + u32::from(self.light.0) * part).saturating_add(1 << 15)))
