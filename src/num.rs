@@ -53,7 +53,8 @@ pub(crate) const fn reciprocal(value: u32) -> (u32, u32) {
     let shift = value.leading_zeros();
     let normal = value << shift; // 2³¹ ≤ normal < 2³²
     // 2⁴⁸/normal, from 2³² over the upper half of it rounded: off by one and a half parts in 2¹⁶ at most.
-    let upper = (normal >> 16) + ((normal >> 15) & 1);
+    // The bit is set already: so the compiler knows that this is not zero.
+    let upper = (normal >> 16 | 0x8000) + ((normal >> 15) & 1);
     let seed = (u32::MAX - upper / 2) / upper + 1;
     // How far seed × normal is from 2⁴⁸, in 16ths; then seed × (1 + error).
     let error = (1_i64 << 48).wrapping_sub((seed as u64 * normal as u64).cast_signed()) >> 4;

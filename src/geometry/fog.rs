@@ -87,7 +87,7 @@ impl Fog {
     #[must_use]
     pub fn part(&self, w: Scalar) -> u16 {
         // Below 2⁵², because the way is no longer than what the slope is over.
-        let grown = (i64::from(w.to_bits()) - self.near).clamp(0, self.depth) * self.slope;
+        let grown = (i64::from(w.to_bits()) - self.near).max(0).min(self.depth) * self.slope;
         if self.halves { u16::MAX - halved(grown >> 32) } else { saturate_u16(grown >> 32) }
     }
 
