@@ -52,8 +52,8 @@ impl<T: Illumination> Illumination for &T {
 
 /// The normal of length 2¹⁴ in the direction of one of any length, as it comes out of interpolation.
 ///
-/// Each component is within 2 units of the exact one; the zero vector stays what it is. Some 60 instructions with
-/// 12 products of 32 bits, no division, and 96 bytes of table.
+/// Each component is within 2 units of the exact one; the zero vector stays what it is. No division; 170
+/// instructions of a Cortex-M0 and 96 bytes of table.
 ///
 /// ```
 /// use aquatint::illumination::unit_normal;

@@ -16,7 +16,7 @@
 //! | stage | takes | gives |
 //! |---|---|---|
 //! | [`model`] | arrays, fonts in flash | a checked mesh, typefaces |
-//! | [`geometry`] | vertices, matrices, a lamp | screen points with depth; light |
+//! | [`geometry`] | vertices, matrices, lamps | screen points with depth; light |
 //! | [`clip`] | lines, polygons, points in clip space | what is inside |
 //! | [`raster`] | lines, outlines, strokes, text, triangles | spans, with their coverage where they are antialiased |
 //! | [`hidden`] | fragments with depth | the nearest |

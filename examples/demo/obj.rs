@@ -16,16 +16,20 @@ pub struct RawMesh {
 }
 
 impl RawMesh {
-    /// Refuses what no mesh can be made of, and puts vertices together that are the same in everything.
-    /// Triangles that lose a side by that are left out.
-    pub fn merged(&self) -> Result<Self, String> {
-        let count = self.positions.len();
+    /// Refuses what no mesh can be made of.
+    fn checked(&self) -> Result<&Self, String> {
         if self.triangles.is_empty() {
             return Err("has no triangles".into());
         }
         if !self.positions.iter().flatten().chain(self.uv.iter().flatten()).all(|v| v.is_finite()) {
             return Err("has a coordinate that is not a number".into());
         }
+        Ok(self)
+    }
+
+    /// Puts vertices together that are the same in everything. Triangles that lose a side by that are left out.
+    pub fn merged(&self) -> Result<Self, String> {
+        let count = self.checked()?.positions.len();
         let (has_normals, has_uv) = (self.normals.len() == count, self.uv.len() == count);
         let (mut merged, mut numbers, mut known) = (Self::default(), Vec::with_capacity(count), HashMap::new());
         for (vertex, position) in self.positions.iter().enumerate() {
@@ -95,7 +99,7 @@ impl OwnedMesh {
 
     /// Centres a mesh, scales it into the unit sphere and quantises it.
     pub fn of(raw: &RawMesh) -> Result<Self, String> {
-        if raw.positions.len() > 1 << 16 {
+        if raw.checked()?.positions.len() > 1 << 16 {
             return Err(format!("has {} vertices; 65536 is the limit", raw.positions.len()));
         }
         let index = |i: u32| u16::try_from(i).ok().filter(|&i| usize::from(i) < raw.positions.len());
@@ -105,7 +109,13 @@ impl OwnedMesh {
         Ok(Self {
             positions: raw.positions.iter().map(|p| quantised_place(p, middle, radius)).collect(),
             normals: raw.shading_normals().iter().map(unit_normal).collect(),
-            uv: raw.uv.iter().map(quantised_uv).collect::<Option<_>>().ok_or("has texture coordinates beyond 8")?,
+            uv: raw
+                .uv
+                .iter()
+                .copied()
+                .map(quantised_uv)
+                .collect::<Option<_>>()
+                .ok_or("has texture coordinates beyond 8")?,
             triangles: triangles.ok_or("names a vertex that does not exist")?,
         })
     }
@@ -113,7 +123,7 @@ impl OwnedMesh {
     /// The same from arrays. Normals may be missing.
     pub fn quantise(positions: &[[f32; 3]], normals: &[[f32; 3]], triangles: &[[u32; 3]]) -> Result<Self, String> {
         let (positions, normals) = (positions.to_vec(), normals.to_vec());
-        Self::of(&RawMesh { positions, normals, uv: vec![], triangles: triangles.to_vec() }.merged()?)
+        Self::of(&RawMesh { positions, normals, uv: vec![], triangles: triangles.to_vec() })
     }
 }
 
@@ -131,7 +141,7 @@ pub fn bytes(path: &Path) -> Result<Vec<u8>, String> {
 
 /// Reads a file.
 pub fn load(path: &Path) -> Result<OwnedMesh, String> {
-    OwnedMesh::of(&read(&bytes(path)?)?.merged()?)
+    OwnedMesh::of(&read(&bytes(path)?)?)
 }
 
 /// The text of a Wavefront OBJ file.
@@ -193,7 +203,7 @@ fn unit_normal(normal: &[f32; 3]) -> [i8; 3] {
 
 /// 4.12 fixed point, v downwards from the upper left corner.
 #[expect(clippy::cast_possible_truncation, reason = "a float-to-int cast saturates")]
-fn quantised_uv([u, v]: &[f32; 2]) -> Option<[i16; 2]> {
-    let parts = [*u, 1.0 - v].map(|v| (v * 4096.0).round());
+fn quantised_uv([u, v]: [f32; 2]) -> Option<[i16; 2]> {
+    let parts = [u, 1.0 - v].map(|v| (v * 4096.0).round());
     parts.iter().all(|v| (-32_768.0..=32_767.0).contains(v)).then(|| parts.map(|v| v as i16))
 }

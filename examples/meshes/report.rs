@@ -39,18 +39,24 @@ pub fn of(raw: &RawMesh, owned: &OwnedMesh) -> Result<String, String> {
         cosine.is_finite().then(|| cosine.clamp(-1.0, 1.0).acos().to_degrees())
     }));
     let flash = 9 * owned.positions.len() + 4 * owned.uv.len() + 6 * owned.triangles.len();
-    let mut lines = format!("{} vertices, {} triangles, ", owned.positions.len(), owned.triangles.len());
-    lines += &format!("{flash} bytes of flash\n");
     let mille = 1000.0 / (2.0 * radius);
-    lines += &format!("places: off by {:.3e} units at most, {:.3e} rms", places.most, places.mean());
-    lines += &format!(" ({:.4} and {:.4} per mille of the size)\n", places.most * mille, places.mean() * mille);
-    lines += &format!("normals: off by {:.2} degrees at most, {:.2} rms", normals.most, normals.mean());
+    let mut lines = vec![
+        format!("{} vertices, {} triangles, {flash} bytes of flash", owned.positions.len(), owned.triangles.len()),
+        format!(
+            "places: off by {:.3e} units at most, {:.3e} rms ({:.4} and {:.4} per mille of the size)",
+            places.most,
+            places.mean(),
+            places.most * mille,
+            places.mean() * mille
+        ),
+        format!("normals: off by {:.2} degrees at most, {:.2} rms", normals.most, normals.mean()),
+    ];
     if !owned.uv.is_empty() {
         let uv = Errors::of(raw.uv.iter().zip(&owned.uv).flat_map(|(raw, quantised)| {
             let [u, v] = quantised.map(|v| f64::from(v) / 4096.0);
             [(f64::from(raw[0]) - u).abs(), (1.0 - f64::from(raw[1]) - v).abs()]
         }));
-        lines += &format!("\ntexture: off by {:.5} of its width at most, {:.5} rms", uv.most, uv.mean());
+        lines.push(format!("texture: off by {:.5} of its width at most, {:.5} rms", uv.most, uv.mean()));
     }
-    Ok(lines)
+    Ok(lines.join("\n"))
 }

@@ -87,7 +87,7 @@ impl Fog {
     #[must_use]
     pub fn part(&self, w: Scalar) -> u16 {
         // Below 2⁵², because the way is no longer than what the slope is over.
-        let grown = (i64::from(w.to_bits()) - self.near).clamp(0, self.depth) * self.slope;
+        let grown = (i64::from(w.to_bits()) - self.near).max(0).min(self.depth) * self.slope;
         if self.halves { u16::MAX - halved(grown >> 32) } else { saturate_u16(grown >> 32) }
     }
 
@@ -96,7 +96,7 @@ impl Fog {
     pub fn over(&self, light: Light, w: Scalar) -> Light {
         let part = u32::from(self.part(w));
         // The whole of 65536 where all is hidden.
-        let part = part + (part >> 15);
+        let part = part + u32::from(part == 0xFFFF);
         let mixed = u32::from(light.0) * (65_536 - part);
         // Both at most 65535 · 65536 together.
         Light(high_u16((mixed + u32::from(self.light.0) * part).saturating_add(1 << 15)))

@@ -13,8 +13,8 @@
 //! - **Highlights** are where the normal points half-way between lamp and eye: the cosine between normal and half-way,
 //!   to the power of the surface's shininess (Blinn). Eye and lamps are where they are, not at infinity.
 //! - **Memory** 48 bytes a lamp, on the stack.
-//! - **Cost** a place: a directional lamp 4 multiplications, a near one 18 and one of 64 bits, a highlight 16 more and
-//!   as many as the surface's shininess. No division, no floating point.
+//! - **Cost** a place, in instructions of a Cortex-M0: a directional lamp 140, a near one 440, a highlight 470 more.
+//!   No division, no floating point. An object: some 13,000 a near lamp.
 //! - **Error** of two lamps up to 64 of 65535, and in a highlight 8 more times its exponent, where lamps and eye are
 //!   outside of the object.
 //!
@@ -202,7 +202,7 @@ impl Cone {
     /// What part of the light is left in a direction, in 2.14: from 0 to 1 by t² · (3 − 2t).
     #[inline]
     fn at(&self, direction: [i32; 3]) -> u32 {
-        let inside = (dot(self.axis, direction) - self.outer).clamp(0, self.gain);
+        let inside = (dot(self.axis, direction) - self.outer).max(0).min(self.gain);
         let t = (inside * self.over_gain) >> 14;
         ((((t * t) >> 14) * (3 * UNIT - 2 * t)) >> 14).cast_unsigned()
     }

@@ -1,10 +1,10 @@
 //! Geometry processing: where it lands on the screen, and in what light. Lecture 2.2.
 //!
 //! - **Takes** vertices of a mesh and the matrices of object and camera.
-//! - **Gives** screen points with depth, facing, and light.
+//! - **Gives** screen points with depth, facing, light, and fog.
 //! - **Memory** none.
-//! - **Cost** a vertex: 24 multiplications to clip space, one division and seven long multiplications
-//!   to the screen, 3 multiplications for the light of one lamp.
+//! - **Cost** a vertex, in instructions of a Cortex-M0: 171 to clip space, 569 to the screen (of which one division
+//!   takes 192), 62 for the light of one [lamp](light::Lamp).
 //!
 //! ```text
 //!   Model ─placement▶ World ─camera▶ View ─projection▶ Clip ─÷w▶ −1…1 ─viewport▶ pixels

@@ -49,9 +49,9 @@ impl Viewport {
 
     /// Divides by `w` and maps −1 … 1 to the borders: x to the right, y *down* on the screen.
     ///
-    /// One 32-bit division and seven products of 32 by 32 bits. The point is inside the guard band and
+    /// One 32-bit division and five products of 32 by 32 bits, seven where the view is more than 256 pixels across. The point is inside the guard band and
     /// [`LEAST_W`] `≤ w ≤` [`CLIP_LIMIT`], as the clipper leaves it; others land somewhere harmless. Places are the
-    /// exact ones rounded to the nearest sixteenth of a pixel, and off by 1/256 sixteenth more at the most. Depths are
+    /// exact ones rounded to the nearest sixteenth of a pixel, and off by 1/64 sixteenth more at the most. Depths are
     /// the exact ones rounded down to 24 bits, or one less.
     #[must_use]
     pub fn project(self, point: &Point4<Clip>) -> ScreenPoint {
@@ -59,11 +59,8 @@ impl Viewport {
         let (reciprocal, shift) = reciprocal(bits(w)); // 3 ≤ shift ≤ 18
         // In 3.28, because 4w, shifted so, is less than 2³¹.
         let over_w = |v: i32| multiply_high(v << (shift - 3), reciprocal);
-        // Sums are in sixteenths: half the size of the view is 8 sixteenths a pixel.
-        let place = |v: i32, near: i32, far: i32| {
-            let along = i64::from(over_w(v)) * i64::from(8 * (far - near));
-            8 * (near + far) + low_i32((along + (1 << 27)) >> 28)
-        };
+        // In sixteenths: half the size of the view is 8 sixteenths a pixel.
+        let place = |v: i32, near: i32, far: i32| 8 * (near + far) + scaled(over_w(v), 8 * (far - near));
         let Rect { left, top, right, bottom } = self.rect;
         // From 0 at the far plane to 2w at the near one, so less than 2³² when shifted.
         let nearness = bits(w.saturating_sub(point.z.to_bits()).clamp(0, 2 * w));
@@ -77,6 +74,17 @@ impl Viewport {
             depth: depth.min(NEAREST),
         }
     }
+}
+
+/// A ratio in 3.28 of half the size of a view, rounded to the nearest; the size is less than 2¹⁷.
+#[inline]
+fn scaled(ratio: i32, half: i32) -> i32 {
+    if half <= 8 * 256 {
+        // 2¹⁹ times 2¹¹ at the most.
+        let ratio = ((ratio >> 11) + 1) >> 1;
+        return (ratio * half + (1 << 15)) >> 16;
+    }
+    low_i32((i64::from(ratio) * i64::from(half) + (1 << 27)) >> 28)
 }
 
 #[cfg(test)]

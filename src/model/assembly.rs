@@ -146,13 +146,13 @@ impl Faces<'_> {
     const fn next_of_run(&mut self, indices: &[u16], is_fan: bool) -> Option<Face> {
         while self.at < indices.len().saturating_sub(2) {
             let (at, start) = (self.at, self.start);
-            let [a, b, c] = [indices[at], indices[at + 1], indices[at + 2]];
+            let [a, b, c] = [index_at(indices, at), index_at(indices, at + 1), index_at(indices, at + 2)];
             self.at += 1;
             if a == RESTART {
                 self.start = self.at;
             } else if b != RESTART && c != RESTART {
-                let first = if is_fan && start < indices.len() { indices[start] } else { a };
-                let turned = !is_fan && (at - start) % 2 == 1;
+                let first = if is_fan { index_at(indices, start) } else { a };
+                let turned = !is_fan && at.wrapping_sub(start) % 2 == 1;
                 let corners = if turned { [b, a, c] } else { [first, b, c] };
                 if !is_degenerate(corners) {
                     self.number += 1;
@@ -172,13 +172,19 @@ impl Faces<'_> {
                 continue;
             }
             self.at += 1;
-            let corners = [indices[self.start], indices[second], indices[second + 1]];
+            let [a, b, c] = [self.start, second, second + 1];
+            let corners = [index_at(indices, a), index_at(indices, b), index_at(indices, c)];
             if !is_degenerate(corners) {
                 return Some(Face { corners, number: self.number });
             }
         }
         None
     }
+}
+
+/// An index; behind the end there is nothing but restarts.
+const fn index_at(indices: &[u16], at: usize) -> u16 {
+    if at < indices.len() { indices[at] } else { RESTART }
 }
 
 const fn is_degenerate([a, b, c]: [u16; 3]) -> bool {

@@ -26,7 +26,8 @@ fn errors(view: Rect, point: Point4<Clip>) -> ([f64; 2], i128) {
 }
 
 fn viewport() -> impl Strategy<Value = Rect> {
-    (-4096..4095_i32, -4096..4095_i32, 1..8192_i32, 1..8192_i32)
+    let size = || prop_oneof![1..300_i32, 1..8192_i32];
+    (-4096..4095_i32, -4096..4095_i32, size(), size())
         .prop_map(|(left, top, w, h)| Rect::new(left, top, (left + w).min(4096), (top + h).min(4096)))
 }
 
@@ -44,7 +45,7 @@ proptest! {
         let z = match ends { 0 => i64::from(i16::MIN), 1 => 1 << 15, _ => z.into() };
         let point = Point4::new(part(x.into(), 100), part(i64::from(y) * 4, 1 << 15), part(z, 1 << 15), part(1, 1));
         let ([across, down], depth) = errors(view, point);
-        prop_assert!(across.abs() <= 129.0 && down.abs() <= 129.0, "off by {} and {} 256ths", across, down);
+        prop_assert!(across.abs() <= 132.0 && down.abs() <= 132.0, "off by {} and {} 256ths", across, down);
         prop_assert!((0..=1).contains(&depth), "depth too small by {}", depth);
     }
 
