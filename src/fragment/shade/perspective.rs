@@ -15,7 +15,7 @@
 
 use super::Placed;
 use crate::{
-    num::{Scalar, bits, reciprocal, saturate_u32, to_16_15},
+    num::{Scalar, bits, multiply_high, reciprocal, saturate_u32, to_16_15},
     space::LEAST_W,
     vary::{Plane, Ramp, Slopes},
 };
@@ -77,20 +77,9 @@ impl<const N: usize> Perspective<N> {
         let into = bits(column) % BLOCK;
         let first = column.wrapping_sub(into.cast_signed());
         let (over_w, one_over_w) = (self.over_w.at(row, first), self.one_over_w.at(row, first));
-        let mut run = PerspectiveRun {
-            least: self.least,
-            over_w,
-            one_over_w,
-            left: 0,
-            into,
-            values: [0; N],
-            steps: [0; N],
-            start: None,
-            by_pixel: false,
-            scale,
-        };
-        run.start = run.divided();
-        run
+        let mut blocks = Blocks { least: self.least, over_w, one_over_w, into, start: None, scale };
+        blocks.start = blocks.divided();
+        PerspectiveRun { blocks, block: Block { values: [0; N], steps: [0; N], left: 0, by_pixel: false } }
     }
 }
 
@@ -104,84 +93,94 @@ fn quotient(near: Scalar, w: Scalar) -> u32 {
 /// The attributes along a row, a pixel a step.
 #[derive(Clone, Debug)]
 pub struct PerspectiveRun<const N: usize> {
-    least: [u32; N],
-    /// Where the block begins that is next, or the pixel that is next of one that is divided pixel by pixel.
-    over_w: Ramp<N>,
-    one_over_w: Ramp<1>,
-    /// Pixels of the block that are still to come.
-    left: u32,
-    /// Pixels of the first block that lie before the run.
-    into: u32,
+    blocks: Blocks<N>,
+    block: Block<N>,
+}
+
+/// What goes straight, and changes from pixel to pixel: small, so that it stays in registers.
+#[derive(Clone, Copy, Debug)]
+struct Block<const N: usize> {
     values: [u32; N],
     steps: [u32; N],
+    /// Pixels that are still to come.
+    left: u32,
+    /// Whether each is divided by itself.
+    by_pixel: bool,
+}
+
+/// What changes from block to block.
+#[derive(Clone, Debug)]
+struct Blocks<const N: usize> {
+    least: [u32; N],
+    /// Where the next block begins, or the pixel that is next of one that is divided pixel by pixel.
+    over_w: Ramp<N>,
+    one_over_w: Ramp<1>,
+    /// Pixels of the first block that lie before the run.
+    into: u32,
     /// The values where the next block begins.
     start: Option<[u32; N]>,
-    by_pixel: bool,
     scale: Option<[u32; N]>,
 }
 
-impl<const N: usize> PerspectiveRun<N> {
-    /// Begins the next block. By value, so that the caller keeps what changes from pixel to pixel in registers.
-    #[cold]
+impl<const N: usize> Blocks<N> {
+    /// The next block.
     #[inline(never)]
-    fn begun(mut self) -> Self {
+    fn next(&mut self) -> Block<N> {
         let into = core::mem::take(&mut self.into);
-        self.left = BLOCK - into;
-        let (over_w, one_over_w) = (self.over_w.clone(), self.one_over_w.clone());
         self.over_w.leave_out(BLOCK);
         self.one_over_w.leave_out(BLOCK);
         let end = self.divided();
         let start = core::mem::replace(&mut self.start, end);
-        self.by_pixel = false;
+        let mut block = Block { values: [0; N], steps: [0; N], left: BLOCK - into, by_pixel: false };
         if let (Some(start), Some(end)) = (start, end) {
-            self.values = start;
-            for ((value, step), end) in self.values.iter_mut().zip(&mut self.steps).zip(end) {
+            block.values = start;
+            for ((value, step), end) in block.values.iter_mut().zip(&mut block.steps).zip(end) {
                 *step = bits(end.wrapping_sub(*value).cast_signed() >> BLOCK.ilog2());
                 *value = value.wrapping_add(step.wrapping_mul(into));
             }
         } else {
-            (self.over_w, self.one_over_w) = (over_w.skipped(into), one_over_w.skipped(into));
-            self.by_pixel = true;
+            block.by_pixel = true;
+            // Back to the first pixel.
+            self.leave_out(into.wrapping_sub(BLOCK));
         }
-        self
+        block
     }
 
-    /// Steps over a pixel of a block that is divided pixel by pixel, whose values it leaves behind.
+    fn leave_out(&mut self, pixels: u32) {
+        self.over_w.leave_out(pixels);
+        self.one_over_w.leave_out(pixels);
+    }
+
+    /// A pixel of a block that is divided pixel by pixel, of which so many are left.
     #[cold]
     #[inline(never)]
-    fn divided_one(mut self) -> Self {
-        self.values = self.divided().unwrap_or(self.least);
-        self.over_w.leave_out(1);
-        self.one_over_w.leave_out(1);
-        if self.left == 0 {
+    fn next_pixel(&mut self, left: u32) -> [u32; N] {
+        let values = self.divided().unwrap_or(self.least);
+        self.leave_out(1);
+        if left == 0 {
             self.start = self.divided();
         }
-        self
+        values
     }
 
     /// The attributes where the next block begins; `None` where the division is out of range, outside of the triangle.
     #[inline]
     fn divided(&self) -> Option<[u32; N]> {
-        let [mut over] = self.one_over_w.fine();
-        // To 28 digits or more, by steps of two: most of what is seen is not much farther than the nearest corner.
-        let mut shift = 0;
-        while over < 1 << 28 {
-            if shift > 20 {
-                return None;
-            }
-            (over, shift) = (over << 2, shift + 2);
+        let [over] = self.one_over_w.fine();
+        // At least 2²² times nearer than the eye plane is the nearest corner: beyond are horizon and sky.
+        if !(1 << 8..1 << 31).contains(&over) {
+            return None;
         }
-        // 2⁴⁴ / over
-        let inverse = u32::MAX.checked_div(over >> 12).filter(|_| over < 1 << 31)?;
+        // over / 2³¹ inverted is inverse · 2^shift / 2³².
+        let (inverse, shift) = reciprocal(over);
         let mut values = self.least;
         for (value, part) in values.iter_mut().zip(self.over_w.fine()) {
             // Outside of the triangle a part may be negative, or greater than the whole.
-            let scaled = part << shift;
-            let is_in_range = scaled.cast_signed() >> shift == part.cast_signed();
-            if !is_in_range || scaled.cast_signed().unsigned_abs() >= 2 * over {
+            if part.cast_signed().unsigned_abs() >= over << 1 {
                 return None;
             }
-            *value = value.wrapping_add(bits((scaled.cast_signed() >> 14).wrapping_mul(inverse.cast_signed()) << 1));
+            let quotient = multiply_high(part.cast_signed() << shift.saturating_sub(2), inverse) << 2;
+            *value = value.wrapping_add(bits(quotient));
         }
         if let Some(scale) = self.scale {
             for (value, right) in values.iter_mut().zip(scale) {
@@ -197,16 +196,16 @@ impl<const N: usize> Iterator for PerspectiveRun<N> {
 
     #[inline]
     fn next(&mut self) -> Option<[u32; N]> {
-        if self.left == 0 {
-            *self = self.clone().begun();
+        if self.block.left == 0 {
+            self.block = self.blocks.next();
         }
-        self.left -= 1;
-        if self.by_pixel {
-            *self = self.clone().divided_one();
-            return Some(self.values);
+        let Block { values, steps, left, by_pixel } = &mut self.block;
+        *left -= 1;
+        if *by_pixel {
+            return Some(self.blocks.next_pixel(*left));
         }
-        let now = self.values;
-        for (value, step) in self.values.iter_mut().zip(self.steps) {
+        let now = *values;
+        for (value, step) in values.iter_mut().zip(*steps) {
             *value = value.wrapping_add(step);
         }
         Some(now)
