@@ -69,8 +69,8 @@ pub(crate) const fn reciprocal(value: u32) -> (u32, u32) {
 const RECIPROCAL_SEEDS: [u16; 256] = {
     let (mut seeds, mut at) = ([0; 256], 0);
     while at < 256 {
-        let twice = 513 + 2 * at as u32;
-        seeds[at] = ((2 * (512 << 15) + twice) / (2 * twice)) as u16;
+        let twice = 513 + 2 * low_index(at);
+        seeds[at] = high_u16(((2 * (512 << 15) + twice) / (2 * twice)) << 16);
         at += 1;
     }
     seeds
@@ -236,7 +236,7 @@ pub(crate) const fn to_16_15(value: u16) -> u32 {
 /// The whole part of an unsigned 16.15 number, modulo 2¹⁶.
 #[inline]
 pub(crate) const fn from_16_15(value: u32) -> u16 {
-    (value >> FRACTION_16_15) as u16
+    high_u16(value << (16 - FRACTION_16_15))
 }
 
 /// The product of two numbers with 60 fraction bits, rounded down: for tables that the compiler builds.

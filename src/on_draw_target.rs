@@ -14,8 +14,9 @@ use heapless::Vec;
 
 use crate::{
     num::{count_i32, index},
+    phase::{phase, repeated},
     space::Rect,
-    target::{Target, phase, repeated, run_area},
+    target::{Target, run_area},
 };
 
 /// Any embedded-graphics display as a [`Target`].

@@ -15,8 +15,9 @@ use crate::{
     display::layout::{Layout, Memory},
     error::describe,
     num::{bits, count, index},
+    phase::{eight, repeated},
     space::Rect,
-    target::{Target, eight, repeated, write_area},
+    target::{Target, write_area},
 };
 
 /// A picture of colour `C` (which gives the bits a pixel) packed in layout `L` into the bytes `B`.

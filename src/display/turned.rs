@@ -15,8 +15,9 @@ use embedded_graphics::{
 
 use crate::{
     num::size_i32,
+    phase::{phase, repeated},
     space::Rect,
-    target::{Target, phase, repeated},
+    target::Target,
 };
 
 /// How a picture lies on the panel.

@@ -31,8 +31,9 @@ use crate::{
         layout::Layout,
     },
     num::index,
+    phase::turned,
     space::Rect,
-    target::{Target, VisibleColors, turned},
+    target::{Target, VisibleColors},
 };
 
 /// A target seen through a window, with coordinates of its own.

@@ -30,9 +30,10 @@ use crate::{
     blend::{Alpha, Blend, BlendMode},
     coverage::{Coverage, CoverageCurve, Covered},
     num::index,
+    phase::repeated,
     space::Rect,
     span::Sink,
-    target::{Ink, Target, VisibleColors, repeated},
+    target::{Ink, Target, VisibleColors},
 };
 
 /// A target that can be read, to be blended on: a `DrawTarget` of [`Alpha`] colours.

@@ -11,7 +11,10 @@ use core::ops::Range;
 
 use embedded_graphics::geometry::Point;
 
-use crate::target::{Ink, Target, phase, turned};
+use crate::{
+    phase::{phase, turned},
+    target::{Ink, Target},
+};
 
 /// A tile of `W` × `H` colours, again and again.
 ///

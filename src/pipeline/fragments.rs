@@ -10,10 +10,11 @@ use crate::{
     illumination::Illumination,
     num::{Scalar, low_i32},
     raster::triangle::spans,
+    slopes::Slopes,
     space::{Point2, Rect},
     span::Sink,
     target::Target,
-    vary::{Plane, Ramp, Slopes},
+    vary::{Plane, Ramp},
 };
 
 /// How much nearer to the eye than it is a surface is taken to be: for lines and decals on others.

@@ -11,7 +11,8 @@ use crate::{
     space::{Point2, Rect},
     span::Sink,
     target::Target,
-    vary::{Plane, Ramp, Slopes},
+    slopes::Slopes,
+    vary::{Plane, Ramp},
 };
 
 /// How much nearer to the eye than they are surfaces are taken to be: for lines and decals on others.

@@ -20,9 +20,10 @@ use core::ops::Range;
 use crate::{
     edge::{Edge, first_row},
     error::OutOfRange,
+    slopes::Slopes,
     space::{Point2, Rect, twice_area},
     span::Sink,
-    vary::{LIMIT, Plane, Ramp, Vertex},
+    vary::{LIMIT, Ramp, Vertex},
 };
 
 /// A triangle whose corners carry `N` attributes; `N` may be 0.
@@ -51,7 +52,10 @@ impl<const N: usize> Triangle<N> {
         let mut plane = None;
         let bounds = sink.bounds();
         shape(&self.corners.map(|corner| corner.position), bounds, &mut |row, columns: Range<i32>| {
-            let plane = plane.get_or_insert_with(|| Plane::through(&self.corners));
+            let plane = plane.get_or_insert_with(|| {
+                let slopes = Slopes::new(&self.corners.map(|corner| corner.position));
+                slopes.plane(&self.corners.map(|corner| corner.attributes))
+            });
             let ramp = plane.at(row, columns.start);
             sink.span(row, columns, ramp)
         })

@@ -31,8 +31,9 @@ use crate::{
         layout::{Layout, Memory},
     },
     num::index,
+    phase::{eight, repeated},
     space::Rect,
-    target::{Target, eight, repeated, write_area},
+    target::{Target, write_area},
 };
 
 /// Bytes that are copied before they are drawn on, of all planes together.

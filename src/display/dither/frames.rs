@@ -20,7 +20,7 @@
 //! - **Cost** sixteen divisions a frame, a load a pixel.
 
 use super::{BAYER_4X4, Mask, rank::Cells};
-use crate::{error::describe, num::high_u16, target::phase};
+use crate::{error::describe, num::high_u16, phase::phase};
 
 /// The mask of one frame of a series.
 ///

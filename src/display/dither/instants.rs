@@ -44,8 +44,9 @@ use embedded_graphics::{
 use super::{RankMask, rank::Cells};
 use crate::{
     num::index,
+    phase::{phase, repeated},
     space::Rect,
-    target::{Target, VisibleColors, phase, repeated},
+    target::{Target, VisibleColors},
 };
 
 /// A target on which only the pixels of one instant can be drawn.

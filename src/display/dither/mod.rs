@@ -58,8 +58,9 @@ use crate::{
     colour::Light,
     display::level::{Levels, Shades},
     num::index,
+    phase::{eight, phase, repeated},
     space::Rect,
-    target::{Code, Target, eight, phase, repeated},
+    target::{Code, Target},
     vary::Ramp,
 };
 use ramp::Switches;

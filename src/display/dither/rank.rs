@@ -20,7 +20,7 @@ use super::Mask;
 use crate::{
     error::describe,
     num::{count_i32, high_u16, index, low_index},
-    target::phase,
+    phase::phase,
 };
 
 /// A mask of `W` × `H` ranks of 0 to 255, row by row.

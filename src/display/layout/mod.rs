@@ -38,7 +38,8 @@ use core::{marker::PhantomData, ops::Range};
 use crate::{
     display::{blit::Packing, region::Alike},
     num::count,
-    target::{Code, bits_of, bits_of_bytes},
+    phase::{bits_of, bits_of_bytes},
+    target::Code,
 };
 
 /// Which end of a byte holds the first of its pixels.

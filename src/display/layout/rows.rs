@@ -3,10 +3,7 @@
 use core::{marker::PhantomData, ops::Range};
 
 use super::{BitRun, Layout, Memory, MsbFirst, Order, Shape, merge};
-use crate::{
-    num::low_index,
-    target::{Code, bits_of_bytes},
-};
+use crate::{num::low_index, phase::bits_of_bytes, target::Code};
 
 /// Rows of pixels from the left, each row padded to whole bytes; 1, 2, 4 or 8 bits a pixel.
 ///
@@ -88,7 +85,7 @@ impl<C: Code, O: Order> Layout<C> for Rows<O> {
             let bits = if O::MSB_FIRST { byte } else { byte.reverse_bits() };
             BitRun::new::<O>(columns).fill_one(memory, row, off ^ (bits & (off ^ on)));
         } else {
-            let colors = crate::target::bits_of(byte).map(|bit| if bit { on } else { off });
+            let colors = crate::phase::bits_of(byte).map(|bit| if bit { on } else { off });
             Self::fill(memory, row..row.wrapping_add(1), columns, colors);
         }
     }

@@ -6,6 +6,7 @@ use super::{Corner, Facet, Shading, reflected};
 use crate::{
     colour::Light,
     illumination::{Illumination, unit_normal},
+    num::saturate_i16,
     target::Target,
     vary::{Plane, Ramp},
 };
@@ -65,20 +66,19 @@ impl Shading for Flat {
     #[inline]
     fn face<I: Illumination>(&self, light: &I, facet: &Facet<'_, [u16; 0]>) -> Light {
         let [a, b, c] = facet.corners;
-        // Three quarters of the sum are a ninth of a corner's share off the middle; a third is 10923 / 32768.
+        // A third is 21845 / 65536, and the product has 31 bits at the most.
         let middle = |axis: fn(&[i16; 3]) -> i16| {
             let sum = i32::from(axis(&a.position)) + i32::from(axis(&b.position)) + i32::from(axis(&c.position));
-            crate::num::saturate_i16(i64::from((sum >> 2) * 21_845 >> 14))
+            saturate_i16(i64::from((sum * 21_845) >> 16))
         };
         let position = [middle(|p| p[0]), middle(|p| p[1]), middle(|p| p[2])];
-        let on_face = match facet.normal {
-            Some(normal) => light.on_vertex(position, normal),
-            None => {
-                let sum = |axis: fn(&[i8; 3]) -> i8| {
-                    i32::from(axis(&a.normal)) + i32::from(axis(&b.normal)) + i32::from(axis(&c.normal))
-                };
-                light.on(position, unit_normal([sum(|n| n[0]), sum(|n| n[1]), sum(|n| n[2])]))
-            }
+        let on_face = if let Some(normal) = facet.normal {
+            light.on_vertex(position, normal)
+        } else {
+            let sum = |axis: fn(&[i8; 3]) -> i8| {
+                i32::from(axis(&a.normal)) + i32::from(axis(&b.normal)) + i32::from(axis(&c.normal))
+            };
+            light.on(position, unit_normal([sum(|n| n[0]), sum(|n| n[1]), sum(|n| n[2])]))
         };
         reflected(on_face, a.color)
     }

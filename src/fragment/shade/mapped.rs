@@ -1,7 +1,7 @@
 //! What changes the colours of another shading, or leaves out pixels of it.
 
 use super::{Corner, Facet, Shading};
-use crate::{illumination::Illumination, num::index, target::phase};
+use crate::{illumination::Illumination, num::index, phase::phase};
 
 /// The colours of a shading, each changed by a closure: bands of a cartoon, a tint, a colour of the panel, or
 /// [`Alpha`](crate::Alpha) for a [`Blended`](crate::Blended) target.

@@ -32,12 +32,8 @@ pub use textured::{Affine, Textured};
 use core::ops::Range;
 
 use crate::{
-    colour::Light,
-    illumination::Illumination,
-    num::Scalar,
-    space::Point2,
-    target::Target,
-    vary::{Slopes, Varying},
+    colour::Light, illumination::Illumination, num::Scalar, slopes::Slopes, space::Point2, target::Target,
+    vary::Varying,
 };
 
 /// A corner of a triangle, as the mesh has it. What a mesh has not is zero, but for `color`, which is white.

@@ -16,8 +16,9 @@
 use super::Placed;
 use crate::{
     num::{Scalar, bits, multiply_high, reciprocal, saturate_u32, to_16_15},
+    slopes::Slopes,
     space::LEAST_W,
-    vary::{Plane, Ramp, Slopes},
+    vary::{Plane, Ramp},
 };
 
 /// `N` attributes over a triangle in perspective.
