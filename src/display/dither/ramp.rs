@@ -23,7 +23,7 @@ use crate::{
     vary::Ramp,
 };
 
-/// Runs that are shorter are dithered pixel by pixel.
+/// Runs between two levels that are shorter are dithered pixel by pixel.
 const SHORTEST: u32 = 48;
 
 /// What lights must reach between two levels to show the brighter one: 16.15 numbers, computed for a row when one asks.
@@ -98,12 +98,12 @@ where
     #[inline]
     pub(super) fn draw_ramp(&mut self, row: i32, columns: Range<i32>, ramp: Ramp<1>) -> Result<(), T::Error> {
         let length = bits(columns.end.wrapping_sub(columns.start));
-        if M::REPEATS && length >= SHORTEST {
-            self.draw_rays(row, columns, ramp)
-        } else if M::REPEATS && self.is_in_one_step(length, &ramp) {
+        if !M::REPEATS {
+            self.write_run(row, columns, ramp.map(|[light]| Some(Light(light))))
+        } else if length < SHORTEST && self.is_in_one_step(length, &ramp) {
             self.draw_in_one_step(row, columns, ramp)
         } else {
-            self.write_run(row, columns, ramp.map(|[light]| Some(Light(light))))
+            self.draw_rays(row, columns, ramp)
         }
     }
 
@@ -159,41 +159,40 @@ where
 
     /// Fill by fill.
     #[inline(never)]
-    fn draw_rays(&mut self, row: i32, columns: Range<i32>, mut ramp: Ramp<1>) -> Result<(), T::Error> {
+    fn draw_rays(&mut self, row: i32, columns: Range<i32>, ramp: Ramp<1>) -> Result<(), T::Error> {
         let Some(visible) = self.target.bounds().clip_run(row, columns.clone()) else { return Ok(()) };
-        ramp = ramp.skipped(bits(visible.start.wrapping_sub(columns.start)));
-        let (thresholds, columns) = (self.mask.eight(row), visible);
-        let mut start = columns.start;
-        while start < columns.end {
-            let [fine] = ramp.clone().next_fine();
-            let [step] = ramp.steps();
+        let mut ramp = ramp.skipped(bits(visible.start.wrapping_sub(columns.start)));
+        let mut start = visible.start;
+        while start < visible.end {
+            let ([fine], [step]) = (ramp.fine(), ramp.steps());
             let light = Light(from_16_15(fine));
-            let codes = self.shades.eight(light, thresholds).map(T::Color::from_code);
-            let left = bits(columns.end.wrapping_sub(start));
-            let switch = self.next_switch(light, step.cast_signed(), thresholds);
-            let length = switch.map_or(left, |switch| steps_to(switch, fine, step.cast_signed())).clamp(1, left);
+            self.shades.move_to(light);
+            let next = self.next_switch(row, fine, step.cast_signed());
+            let left = bits(visible.end.wrapping_sub(start));
+            let length = next.map_or(left, |switch| steps_to(switch, fine, step.cast_signed())).clamp(1, left);
             let end = start.wrapping_add(length.cast_signed());
-            self.target.fill_run(row, start..end, codes)?;
+            self.fill_flat(row, start..end, light)?;
             ramp = ramp.skipped(length);
             start = end;
         }
         Ok(())
     }
 
-    /// The light at which the codes of eight columns change next: the first above if it rises, that below which they
-    /// change if it falls.
-    fn next_switch(&self, light: Light, step: i32, thresholds: [u16; 8]) -> Option<u32> {
-        // A light must be greater than a switch: at least one more.
+    /// The light at which the codes of eight columns change next, a 16.15 number: the first above if it rises, that
+    /// below which they change if it falls.
+    fn next_switch(&mut self, row: i32, fine: u32, step: i32) -> Option<u32> {
         let (dark, bright) = self.shades.ends();
-        let switches = self.shades.switches(thresholds).into_iter().chain([bright]).map(|switch| switch + 1);
-        let (all, light) = (switches.chain([dark]), u32::from(light.0));
-        if step > 0 { all.filter(|&switch| switch > light).min() } else { all.filter(|&switch| switch <= light).max() }
+        let (shades, mask) = (&self.shades, &self.mask);
+        let switches = self.switches.of_row(shades.darker(), row, || shades.switches(mask.eight(row)));
+        let ends = [(bright + 1) << FRACTION_16_15, dark << FRACTION_16_15];
+        let all = switches.iter().copied().chain(ends);
+        // The fraction of the light itself does not count: it is below the next whole one.
+        if step > 0 { all.filter(|&switch| switch > fine).min() } else { all.filter(|&switch| switch <= fine).max() }
     }
 }
 
 /// After how many steps a light that rises has reached a switch, or one that falls is below it.
 fn steps_to(switch: u32, fine: u32, step: i32) -> u32 {
-    let switch = switch << FRACTION_16_15;
     if step > 0 {
         switch.saturating_sub(fine).div_ceil(step.unsigned_abs())
     } else {
