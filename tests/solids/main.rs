@@ -12,14 +12,9 @@ mod renderer;
 
 use exact::Random;
 
-/// The checks in which nothing hides anything else.
-macro_rules! convex_checks {
+/// The probes in which nothing hides anything else.
+macro_rules! convex_probes {
     ($renderer:ty) => {
-        #[test]
-        fn cubes_in_a_thousand_poses() {
-            meshes::cubes::<$renderer>();
-        }
-
         #[test]
         fn shared_edges_are_drawn_once() {
             probes::shared_edges::are_drawn_once::<$renderer>();
@@ -50,23 +45,13 @@ macro_rules! convex_checks {
     };
 }
 
-/// All checks for each fill mode. What has no depth is for convex solids.
+/// All probes for each fill mode. What has no depth is for convex solids.
 macro_rules! fill_modes {
     ($($mode:ident: $renderer:ty),* $(,)?) => { $(
         mod $mode {
-            use super::{meshes, modes, probes};
+            use super::{modes, probes};
 
-            convex_checks! { $renderer }
-
-            #[test]
-            fn tori_in_a_thousand_poses() {
-                meshes::tori::<$renderer>();
-            }
-
-            #[test]
-            fn bunnies_in_a_thousand_poses() {
-                meshes::bunnies::<$renderer>();
-            }
+            convex_probes! { $renderer }
 
             #[test]
             fn walls_behind_and_through_walls() {
@@ -91,7 +76,7 @@ fill_modes! {
 }
 
 mod convex {
-    use super::{meshes, modes, probes};
+    use super::{modes, probes};
 
-    convex_checks! { modes::Convex }
+    convex_probes! { modes::Convex }
 }

@@ -13,12 +13,41 @@ use aquatint::{
 };
 
 use super::{
-    compare::{LIGHT_UNITS, NEAR},
-    reference::Seen,
+    compare::{Judged, LIGHT_UNITS, NEAR, assert_like},
+    reference::{Reference, Seen},
     renderer::{DIFFUSE, Picture, Renderer, Scene, draw_hidden, draw_with, lambert, length, unit},
 };
 
-type Drawn = Result<(), DrawError<Infallible>>;
+pub type Drawn = Result<(), DrawError<Infallible>>;
+
+/// A fill mode as a value.
+#[derive(Clone, Copy)]
+pub struct Mode {
+    pub name: &'static str,
+    pub draw: fn(&[Scene], &mut Picture) -> Drawn,
+    pub judge: fn(&Picture, &Reference) -> Judged,
+}
+
+impl Mode {
+    const fn of<R: Renderer>(name: &'static str) -> Self {
+        Self { name, draw: R::draw, judge: assert_like::<R> }
+    }
+}
+
+/// All of them; the last one is for convex solids.
+pub const ALL: [Mode; 11] = [
+    Mode::of::<Gouraud>("Gouraud"),
+    Mode::of::<Gouraud8>("Gouraud, 8 bits of depth"),
+    Mode::of::<Gouraud32>("Gouraud, 32 bits of depth"),
+    Mode::of::<FlatByFace>("flat by face"),
+    Mode::of::<FlatByCorners>("flat by corners"),
+    Mode::of::<Phong>("Phong"),
+    Mode::of::<UnlitTexture>("textured"),
+    Mode::of::<LitTexture>("textured in light"),
+    Mode::of::<Affine>("affine"),
+    Mode::of::<Negative>("shader"),
+    Mode::of::<Convex>("convex"),
+];
 
 /// Light at the vertices, linear on the screen between them.
 pub enum Gouraud {}
@@ -171,12 +200,14 @@ pub fn steps() -> Sampler<LightTexture<'static>> {
     Sampler::new(LightTexture::new(&STEPS, 64, 64).expect("a texture"))
 }
 
-/// The lights of the texels around a place.
-fn texels(uv: [[f64; 2]; 2], off: [f64; 2]) -> [f64; 2] {
+/// The lights of the texels around a place; none where some of them are of another copy of the texture.
+fn texels(uv: [[f64; 2]; 2], off: [f64; 2]) -> Option<[f64; 2]> {
     let texel = |v: f64| (v * 64.0).floor();
-    let least = |axis: usize| texel(uv[0][axis].min(uv[1][axis]) - off[axis]);
-    let most = |axis: usize| texel(uv[0][axis].max(uv[1][axis]) + off[axis]);
-    [least(0) + least(1), most(0) + most(1)].map(|texels| f64::from(STEP) * texels)
+    let least = [0, 1].map(|axis| texel(uv[0][axis].min(uv[1][axis]) - off[axis]));
+    let most = [0, 1].map(|axis| texel(uv[0][axis].max(uv[1][axis]) + off[axis]));
+    let copy = |texels: [f64; 2]| texels.map(|texel| (texel / 64.0).floor());
+    let light = |[u, v]: [f64; 2]| f64::from(STEP) * (u.rem_euclid(64.0) + v.rem_euclid(64.0));
+    (copy(least) == copy(most)).then(|| [light(least), light(most)])
 }
 
 /// How far off texture coordinates are at most in our numbers: a sixteenth of a texel of 64.
@@ -193,7 +224,7 @@ impl Renderer for UnlitTexture {
     /// By one division, or on the way between two.
     fn light(seen: &Seen) -> Option<[f64; 2]> {
         let [chord, off] = seen.chord?;
-        Some(texels([chord, seen.uv], off.map(|v| v + UV_UNITS)))
+        texels([chord, seen.uv], off.map(|v| v + UV_UNITS))
     }
 }
 
@@ -238,7 +269,7 @@ impl Renderer for Affine {
             let most = axes.map(|axis| a[axis].max(b[axis]).max(c[axis]));
             texels([least, most], [UV_UNITS; 2])
         };
-        Some(product(texels, Gouraud::light(seen)?))
+        Some(product(texels?, Gouraud::light(seen)?))
     }
 }
 
