@@ -121,10 +121,12 @@ impl Canvas {
         canvas
     }
 
-    /// `.` not drawn, else the upper four bits of the light.
+    /// `.` not drawn, else the upper four bits of the light, which may be a hair too dark: the cosine is below 1.
     pub fn picture(&self) -> String {
         let sign = |light: &Option<Light>| {
-            light.map_or('.', |light| char::from_digit(u32::from(light.0 >> 12), 16).expect("a digit"))
+            light.map_or('.', |light| {
+                char::from_digit(u32::from(light.0.saturating_add(0x40) >> 12), 16).expect("a digit")
+            })
         };
         let rows = self.colors.chunks(self.bounds.width() as usize);
         rows.map(|row| row.iter().map(sign).collect::<String>() + "\n").collect()
@@ -142,7 +144,8 @@ impl<C: Copy> Target for Canvas<C> {
     fn fill_run<const N: usize>(&mut self, row: i32, columns: Range<i32>, colors: [C; N]) -> Result<(), Infallible> {
         let Some(columns) = self.bounds.clip_run(row, columns) else { return Ok(()) };
         let n = i32::try_from(N).expect("few");
-        let colors = columns.clone().map(|column| Some(colors[usize::try_from(column.rem_euclid(n)).expect("positive")]));
+        let colors =
+            columns.clone().map(|column| Some(colors[usize::try_from(column.rem_euclid(n)).expect("positive")]));
         self.write_run(row, columns, colors)
     }
 
@@ -154,7 +157,8 @@ impl<C: Copy> Target for Canvas<C> {
     ) -> Result<(), Infallible> {
         let Some(visible) = self.bounds.clip_run(row, columns.clone()) else { return Ok(()) };
         let index = |v: i32| usize::try_from(v).expect("inside");
-        let start = index(row - self.bounds.top) * self.bounds.width() as usize + index(visible.start - self.bounds.left);
+        let start =
+            index(row - self.bounds.top) * self.bounds.width() as usize + index(visible.start - self.bounds.left);
         let colors = colors.skip(index(visible.start - columns.start)).take(visible.len());
         for (place, color) in self.colors[start..].iter_mut().zip(colors) {
             *place = color.or(*place);
@@ -169,4 +173,25 @@ impl GetPixel for Canvas {
     fn pixel(&self, point: Point) -> Option<Light> {
         self.bounds.contains(point).then(|| self.at(point.x, point.y)).flatten()
     }
+}
+
+/// At the origin, looking down −z, near 0.5, far 20, the view as high as it is far away; a lamp behind the viewer.
+pub fn camera_scene(view: Rect) -> Scene {
+    let aspect = f64::from(view.width()) / f64::from(view.height());
+    let (near, far) = (0.5, 20.0);
+    let rows = [
+        [2.0 / aspect, 0.0, 0.0, 0.0],
+        [0.0, 2.0, 0.0, 0.0],
+        [0.0, 0.0, -(far + near) / (far - near), -2.0 * far * near / (far - near)],
+        [0.0, 0.0, -1.0, 0.0],
+    ];
+    let mut scene = scene(view);
+    scene.camera.projection = Matrix::<View, Clip>::from_rows(rows.map(|row| row.map(number)));
+    scene.light.direction = Vector3::new(number(0.0), number(0.0), number(1.0));
+    scene
+}
+
+#[expect(clippy::cast_precision_loss, reason = "small numbers")]
+pub fn float(value: usize) -> f64 {
+    value as f64
 }

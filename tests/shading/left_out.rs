@@ -78,7 +78,7 @@ fn disc() -> impl Shading<Color = Light> + Copy {
             let along = |v: u16| i64::from(v) - 0x8000;
             // As wide as high on the screen, whose pixels are half as wide in the mesh.
             let (x, y) = (2 * along(x), along(y));
-            (x * x + y * y < 15_500 * 15_500).then_some(Light(light))
+            (x * x + y * y < 15_980 * 15_980).then_some(Light(light))
         },
     )
 }

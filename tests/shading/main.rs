@@ -5,6 +5,7 @@ mod bands;
 mod common;
 mod decals;
 mod depth_tests;
+mod depths;
 #[path = "../exact/mod.rs"]
 mod exact;
 mod lamps;

@@ -33,12 +33,12 @@ fn panes_of_glass_brighten_what_is_behind_them() {
     }
     let want = "\
 2222444444442222
-8888444444448888
-88cc999999448888
-88cc99cccc99cc88
-88cc99cccc99cc88
-88cc999999448888
-8888444444448888
+9999444444449999
+99ccaaaaaa449999
+99ccaaddddaacc99
+99ccaaddddaacc99
+99ccaaaaaa449999
+9999444444449999
 2222444444442222
 ";
     assert_eq!(canvas.picture(), want);
@@ -69,7 +69,7 @@ fn bands_have_edges() {
     let mut by_corners = Canvas::new(VIEW);
     let material = Material::new(Mapped::new(Gouraud, |light| bands.of(light)));
     draw(&ramp, material, &mut Convex, &mut by_corners).expect("in range");
-    assert_eq!(by_corners.picture(), "0000077777 fffff\n".replace(' ', "7").repeat(8).replace("777777", "777777"));
+    assert_eq!(by_corners.picture(), "00000888888fffff\n".repeat(8));
     let mut by_pixels = Canvas::new(VIEW);
     let material = Material::new(Mapped::new(Phong, |light| bands.of(light)));
     draw(&ramp, material, &mut Convex, &mut by_pixels).expect("in range");
