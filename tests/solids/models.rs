@@ -4,7 +4,7 @@ use core::f64::consts::TAU;
 
 use aquatint::{Rect, model::mesh::Mesh};
 
-use super::renderer::{Scene, camera, place};
+use super::renderer::{Scene, camera, place, unit};
 
 const BUNNY: Mesh<'static> = include!("../../examples/assets/bunny.rs");
 
@@ -19,14 +19,24 @@ pub struct Model {
 impl Model {
     /// The mesh in a pose.
     pub fn scene(&self, placement: aquatint::Matrix<aquatint::Model, aquatint::World>, view: Rect) -> Scene {
+        // A texture from the front through to the back.
+        let uv = |[x, y, _]: &[i16; 3]| [x, y].map(|v| 0.5 + f64::from(*v) / 80_000.0);
         Scene {
             positions: self.positions.clone(),
             normals: self.normals.clone(),
-            uvs: vec![[0.0; 2]; self.positions.len()],
+            uvs: self.positions.iter().map(uv).collect(),
             triangles: self.triangles.clone(),
+            face_normals: self.triangles.iter().map(|triangle| self.face_normal(*triangle)).collect(),
             placement,
             camera: camera(view),
         }
+    }
+
+    fn face_normal(&self, triangle: [u16; 3]) -> [i8; 3] {
+        let [a, b, c] = triangle.map(|corner| self.positions[usize::from(corner)].map(f64::from));
+        let way = |to: [f64; 3]| [0, 1, 2].map(|axis| to[axis] - a[axis]);
+        let ([bx, by, bz], [cx, cy, cz]) = (way(b), way(c));
+        normal(unit([by * cz - bz * cy, bz * cx - bx * cz, bx * cy - by * cx]))
     }
 }
 
@@ -67,7 +77,7 @@ pub fn bunny() -> Model {
         name: "bunny",
         positions: BUNNY.positions().to_vec(),
         normals: BUNNY.normals().to_vec(),
-        triangles: BUNNY.triangles().to_vec(),
+        triangles: BUNNY.triangles().collect(),
     }
 }
 

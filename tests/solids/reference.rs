@@ -8,6 +8,8 @@
 
 use std::collections::HashSet;
 
+use super::compare::NEAR;
+
 /// Pixels across and down.
 #[derive(Clone, Copy, Debug)]
 pub struct View {
@@ -20,6 +22,8 @@ pub struct View {
 pub struct Corner {
     pub clip: [f64; 4],
     pub light: f64,
+    /// In the world, about 1 long.
+    pub normal: [f64; 3],
     pub uv: [f64; 2],
 }
 
@@ -28,6 +32,8 @@ pub struct Corner {
 pub struct Solid {
     pub corners: Vec<Corner>,
     pub triangles: Vec<[usize; 3]>,
+    /// The lights of each as a whole: by its own normal, and by the sum of those of its corners.
+    pub flat: Vec<[f64; 2]>,
 }
 
 /// The nearest surface at the centre of a pixel.
@@ -46,6 +52,20 @@ pub struct Seen {
     pub uv: [f64; 2],
     /// The changes of depth and of light from pixel to pixel.
     pub slopes: [f64; 2],
+    /// The lights of the triangle as a whole.
+    pub flat: [f64; 2],
+    /// Whether the triangle is one on the screen, too, because nobody has to cut it.
+    pub is_whole: bool,
+    /// Those of the corners.
+    pub corner_normals: [[f64; 3]; 3],
+    /// What of the corners arrives here, linear on the screen, and how that changes across and down.
+    pub linear: [f64; 3],
+    pub linear_slopes: [[f64; 3]; 2],
+    /// Texture coordinates of the corners.
+    pub corner_uvs: [[f64; 2]; 3],
+    /// Texture coordinates on the way between the first column of a block of eight and that of the next, and how far they
+    /// are off at most if corners are.
+    pub chord: Option<[[f64; 2]; 2]>,
 }
 
 /// A picture.
@@ -89,7 +109,7 @@ impl Reference {
         let sides = |&[a, b, c]: &[usize; 3]| [(a, b), (b, c), (c, a)];
         let all: HashSet<_> = faces.iter().flat_map(|(_, triangle, _)| sides(triangle)).collect();
         for (number, triangle, face) in &faces {
-            self.fill(*number, face);
+            self.fill(*number, face, solid.flat[number - first]);
             for (from, to) in sides(triangle) {
                 let ends = [from, to].map(|corner| solid.corners[corner].clip);
                 self.line(ends, !all.contains(&(to, from)));
@@ -120,7 +140,7 @@ impl Reference {
         rows.flat_map(move |y| columns.clone().map(move |x| y * width + x))
     }
 
-    fn fill(&mut self, number: usize, face: &Face) {
+    fn fill(&mut self, number: usize, face: &Face, flat: [f64; 2]) {
         let pixels: Vec<usize> = if face.corners.iter().all(|corner| corner.clip[3] > 1e-3) {
             self.reach(&face.corners.map(|corner| self.screen(corner.clip))).collect()
         } else {
@@ -128,7 +148,8 @@ impl Reference {
         };
         let step = [2.0 / float(self.view.width), 2.0 / float(self.view.height)];
         for at in pixels {
-            let Some(here) = face.at(self.centre(at), step, number) else { continue };
+            let place = Place { view: self.centre(at), step, into: float(at % self.view.width % 8) };
+            let Some(here) = face.at(place, number).map(|seen| Seen { flat, ..seen }) else { continue };
             self.layers[at] += 1;
             let seen = &mut self.seen[at];
             let next = seen.map_or(-1.0, |other| if here.depth > other.depth { other.depth } else { here.depth });
@@ -190,6 +211,21 @@ fn whole(value: f64, length: usize) -> usize {
     value.clamp(0.0, float(length)) as usize
 }
 
+/// The centre of a pixel in the view, the way to the next ones, and how far into a block of eight columns it is.
+#[derive(Clone, Copy)]
+struct Place {
+    view: [f64; 2],
+    step: [f64; 2],
+    into: f64,
+}
+
+impl Place {
+    fn beside(&self) -> [[f64; 2]; 2] {
+        let [x, y] = self.view;
+        [[x + self.step[0], y], [x, y + self.step[1]]]
+    }
+}
+
 /// A triangle that shows its front.
 struct Face {
     corners: [Corner; 3],
@@ -216,29 +252,81 @@ impl Face {
         (1.0 - z) / 2.0
     }
 
+    /// What the corners weigh, linear on the screen.
+    fn linear(&self, weights: [f64; 3]) -> [f64; 3] {
+        [0, 1, 2].map(|corner| weights[corner] * self.corners[corner].clip[3])
+    }
+
     /// What is seen at a place, unless it is beside, before the near plane or the eye, or behind the far plane.
-    fn at(&self, place: [f64; 2], step: [f64; 2], triangle: usize) -> Option<Seen> {
-        let weights = self.weights(place);
+    fn at(&self, place: Place, triangle: usize) -> Option<Seen> {
+        let weights = self.weights(place.view);
         let over_w: f64 = weights.iter().sum();
         let depth = self.depth(weights);
         if !weights.iter().all(|weight| *weight >= 0.0) || !(0.0..=1.0).contains(&depth) || over_w > 8.0 {
             return None;
         }
-        let uv = [0, 1].map(|axis| {
-            weights.iter().zip(&self.corners).map(|(weight, corner)| weight * corner.uv[axis]).sum::<f64>() / over_w
-        });
         let light = |weights: [f64; 3]| -> f64 {
-            weights.iter().zip(&self.corners).map(|(weight, corner)| weight * corner.clip[3] * corner.light).sum()
+            self.linear(weights).iter().zip(&self.corners).map(|(weight, corner)| weight * corner.light).sum()
         };
         let slope = |value: &dyn Fn([f64; 3]) -> f64| {
             let here = value(weights);
-            let across = value(self.weights([place[0] + step[0], place[1]])) - here;
-            let down = value(self.weights([place[0], place[1] + step[1]])) - here;
+            let [across, down] = place.beside().map(|place| value(self.weights(place)) - here);
             across.hypot(down)
         };
         let slopes = [slope(&|weights| self.depth(weights)), slope(&light)];
-        let light = if self.is_whole() { [light(weights); 2] } else { self.lights() };
-        Some(Seen { triangle, depth, next_depth: -1.0, light, uv, slopes })
+        let is_whole = self.is_whole();
+        let light = if is_whole { [light(weights); 2] } else { self.lights() };
+        let linear = self.linear(weights);
+        let linear_slopes = place.beside().map(|beside| {
+            let beside = self.linear(self.weights(beside));
+            [0, 1, 2].map(|corner| beside[corner] - linear[corner])
+        });
+        Some(Seen {
+            triangle,
+            depth,
+            next_depth: -1.0,
+            light,
+            uv: [0, 1].map(|axis| self.uv(weights, axis)),
+            slopes,
+            flat: [0.0; 2],
+            is_whole,
+            corner_normals: self.corners.map(|corner| corner.normal),
+            linear,
+            linear_slopes,
+            corner_uvs: self.corners.map(|corner| corner.uv),
+            chord: is_whole.then(|| self.chord(place)).flatten(),
+        })
+    }
+
+    fn uv(&self, weights: [f64; 3], axis: usize) -> f64 {
+        let sum: f64 = weights.iter().zip(&self.corners).map(|(weight, corner)| weight * corner.uv[axis]).sum();
+        sum / weights.iter().sum::<f64>()
+    }
+
+    /// Between the ends of a block, and how far off that may be.
+    fn chord(&self, place: Place) -> Option<[[f64; 2]; 2]> {
+        let end = |into: f64| Place { view: [place.view[0] + into * place.step[0], place.view[1]], ..place };
+        let (first, last) = (end(-place.into), end(8.0 - place.into));
+        let along = |[a, b]: [f64; 2]| a + (b - a) * place.into / 8.0;
+        let chord = [0, 1].map(|axis| along([first, last].map(|end| self.uv(self.weights(end.view), axis))));
+        let off = [0, 1].map(|axis| Some(self.uv_off(first, axis)?.max(self.uv_off(last, axis)?)));
+        Some([chord, [off[0]?, off[1]?]])
+    }
+
+    /// How far off a texture coordinate is at most when corners are off by a thirty-second of a pixel each way. Beside the
+    /// triangle what a corner weighs says how much its error counts. None where that may be anything.
+    fn uv_off(&self, place: Place, axis: usize) -> Option<f64> {
+        let weights = self.weights(place.view);
+        let movement = self.linear(weights).iter().map(|weight| weight.abs()).sum::<f64>() * NEAR / 2.0;
+        let over_w = |weights: [f64; 3]| weights.iter().sum::<f64>();
+        let over = |weights: [f64; 3]| self.uv(weights, axis) * over_w(weights);
+        let slope = |value: &dyn Fn([f64; 3]) -> f64| {
+            let [across, down] = place.beside().map(|beside| value(self.weights(beside)) - value(weights));
+            across.hypot(down)
+        };
+        let least = over_w(weights) - movement * slope(&over_w);
+        let off = movement * (slope(&over) + self.uv(weights, axis).abs() * slope(&over_w)) / least;
+        (least > 0.0).then_some(off)
     }
 
     /// The least and the most light of a corner.

@@ -4,47 +4,89 @@ use core::{convert::Infallible, ops::Range};
 
 use aquatint::{
     Angle, Clip, Light, Matrix, Model, Rect, Scalar, Target, Vector3, View, World,
+    fragment::shade::Shading,
     geometry::{light::Lamp, viewport::Viewport},
-    hidden::depth::DepthBuffer,
+    hidden::{
+        Hidden,
+        depth::{Depth, DepthBuffer},
+    },
     model::mesh::Mesh,
-    pipeline::{Camera, DrawError, Instance, MeshVertex, Workspace, draw_mesh},
+    pipeline::{self, Camera, DrawError, Instance, Material, MeshVertex, Workspace, draw_mesh},
 };
 
 use super::reference::{self, Corner, Reference, Seen, Solid};
 
 /// A fill mode.
 pub trait Renderer {
+    /// Surfaces of which the depths, 0 to 1, differ by less may be taken for one.
+    const RESOLVES: f64 = 2.0 / 65_535.0;
+    /// Whether depths are kept at all.
+    const HAS_DEPTH: bool = true;
+
     /// Draws scenes into one depth buffer, empty before.
     fn draw(scenes: &[Scene], picture: &mut Picture) -> Result<(), DrawError<Infallible>>;
 
-    /// The least and the most light that a pixel may have, not counting that corners are rounded, and how light changes
-    /// from pixel to pixel.
-    fn light(seen: &Seen) -> ([f64; 2], f64);
+    /// The least and the most light that a pixel may have, if that can be said: corners are off by up to `NEAR`.
+    fn light(seen: &Seen) -> Option<[f64; 2]>;
 }
 
-/// Light at the vertices, linear on the screen between them.
-pub enum Gouraud {}
+/// A depth of some bits as a number from 0 to 1.
+pub trait Stored: Depth + Ord {
+    fn part(self) -> f64;
+}
 
-impl Renderer for Gouraud {
-    fn draw(scenes: &[Scene], picture: &mut Picture) -> Result<(), DrawError<Infallible>> {
-        let mut depth = DepthBuffer::new(&mut picture.depths, picture.lights.window).expect("large enough");
-        for scene in scenes {
-            let mesh = Mesh::new(&scene.positions, &scene.normals, &scene.triangles).expect("indices are right");
-            let mut vertices = vec![MeshVertex::EMPTY; scene.positions.len()];
-            let mut workspace = Workspace { vertices: &mut vertices, depth: &mut depth };
-            draw_mesh(
-                &Instance { mesh, placement: scene.placement },
-                &scene.camera,
-                &mut workspace,
-                &mut picture.lights,
-            )?;
+impl Stored for u8 {
+    fn part(self) -> f64 {
+        f64::from(self) / 256.0
+    }
+}
+
+impl Stored for u16 {
+    fn part(self) -> f64 {
+        f64::from(self) / 65_535.0
+    }
+}
+
+impl Stored for u32 {
+    fn part(self) -> f64 {
+        f64::from(self) / 2_147_483_648.0
+    }
+}
+
+/// Draws with a shading and a depth buffer.
+pub fn draw_with<D: Stored, S: Shading<Color = Light> + Copy>(
+    scenes: &[Scene],
+    picture: &mut Picture,
+    shading: S,
+    with_face_normals: bool,
+) -> Result<(), DrawError<Infallible>> {
+    let mut depths = vec![D::FARTHEST; picture.lights.shown.len()];
+    let mut buffer = DepthBuffer::new(&mut depths, picture.lights.window).expect("large enough");
+    let result = draw_hidden(scenes, (picture, &mut buffer), shading, with_face_normals);
+    picture.depths = depths.into_iter().map(Stored::part).collect();
+    result
+}
+
+/// Draws with any way to hide what is behind.
+pub fn draw_hidden<H: Hidden, S: Shading<Color = Light> + Copy>(
+    scenes: &[Scene],
+    (picture, hidden): (&mut Picture, &mut H),
+    shading: S,
+    with_face_normals: bool,
+) -> Result<(), DrawError<Infallible>> {
+    for scene in scenes {
+        let mut mesh = Mesh::new(&scene.positions, &scene.normals, &scene.triangles).expect("indices are right");
+        let uv: Vec<_> = scene.uvs.iter().map(|uv| uv.map(uv_bits)).collect();
+        mesh = mesh.with_uv(&uv).expect("one each");
+        if with_face_normals {
+            mesh = mesh.with_face_normals(&scene.face_normals).expect("one each");
         }
-        Ok(())
+        let mut vertices = vec![MeshVertex::EMPTY; scene.positions.len()];
+        let mut workspace = Workspace { vertices: &mut vertices, hidden: &mut *hidden };
+        let instance = Instance::new(mesh, scene.placement).with_material(Material::new(shading));
+        draw_mesh(&instance, &scene.scene(), &mut workspace, &mut picture.lights)?;
     }
-
-    fn light(seen: &Seen) -> ([f64; 2], f64) {
-        (seen.light, seen.slopes[1])
-    }
+    Ok(())
 }
 
 /// A mesh, where it is, and who looks at it: in the numbers that both the renderers and the reference get.
@@ -55,6 +97,8 @@ pub struct Scene {
     /// Places of the texture, 0 to 1.
     pub uvs: Vec<[f64; 2]>,
     pub triangles: Vec<[u16; 3]>,
+    /// One for each triangle.
+    pub face_normals: Vec<[i8; 3]>,
     pub placement: Matrix<Model, World>,
     pub camera: Camera,
 }
@@ -67,6 +111,7 @@ impl Scene {
             normals: vec![[0, 0, 127]; positions.len()],
             uvs: vec![[0.0; 2]; positions.len()],
             triangles: triangles.to_vec(),
+            face_normals: vec![[0, 0, 127]; triangles.len()],
             placement,
             camera: camera(view),
         }
@@ -74,7 +119,19 @@ impl Scene {
 
     /// One of its triangles alone.
     pub fn only(&self, triangle: usize) -> Self {
-        Self { triangles: vec![self.triangles[triangle]], ..self.clone() }
+        let (triangles, face_normals) = (vec![self.triangles[triangle]], vec![self.face_normals[triangle]]);
+        Self { triangles, face_normals, ..self.clone() }
+    }
+
+    /// The same with other normals, of the vertices and of the faces.
+    pub fn with_normal(mut self, normal: [i8; 3]) -> Self {
+        self.normals.fill(normal);
+        self.face_normals.fill(normal);
+        self
+    }
+
+    fn scene(&self) -> pipeline::Scene {
+        pipeline::Scene { camera: self.camera, light: lamp() }
     }
 
     fn solid(&self) -> Solid {
@@ -83,25 +140,63 @@ impl Scene {
         let corner = |((&position, &normal), &uv): ((&[i16; 3], &[i8; 3]), &[f64; 2])| {
             let [x, y, z] = position.map(|v| f64::from(v) / 16_384.0);
             let clip = to_clip.map(|[a, b, c, d]| a * x + b * y + c * z + d);
-            Corner { clip, light: self.lambert(normal), uv }
+            let world = self.world(normal);
+            let uv = uv.map(|v| f64::from(uv_bits(v)) / 4_096.0);
+            Corner { clip, light: lambert(world), normal: world, uv }
         };
-        let corners = self.positions.iter().zip(&self.normals).zip(&self.uvs).map(corner).collect();
-        Solid { corners, triangles: self.triangles.iter().map(|triangle| triangle.map(usize::from)).collect() }
+        let corners: Vec<_> = self.positions.iter().zip(&self.normals).zip(&self.uvs).map(corner).collect();
+        let triangles: Vec<_> = self.triangles.iter().map(|triangle| triangle.map(usize::from)).collect();
+        let by_sum = |triangle: &[usize; 3]| {
+            let [a, b, c] = triangle.map(|corner| corners[corner].normal);
+            lambert(unit([0, 1, 2].map(|axis| a[axis] + b[axis] + c[axis])))
+        };
+        let by_face = self.face_normals.iter().map(|normal| lambert(self.world(*normal)));
+        let flat = by_face.zip(&triangles).map(|(light, triangle)| [light, by_sum(triangle)]).collect();
+        Solid { corners, triangles, flat }
     }
 
-    /// Ambient light and diffuse, 0 to 65535.
-    fn lambert(&self, normal: [i8; 3]) -> f64 {
-        let lamp = &self.camera.lamp;
-        let direction = [lamp.direction.x, lamp.direction.y, lamp.direction.z].map(|v| v.to_num::<f64>());
+    /// A normal in the world, as long as it was rounded to: about 1. The matrix may scale.
+    fn world(&self, normal: [i8; 3]) -> [f64; 3] {
         let [x, y, z] = normal.map(f64::from);
         let turned = rows(&self.placement).map(|[a, b, c, _]| a * x + b * y + c * z);
-        let dot: f64 = turned.iter().zip(direction).map(|(a, b)| a * b).sum();
-        let length = |vector: &[f64]| vector.iter().map(|v| v * v).sum::<f64>().sqrt();
-        // A normal is as long as it was rounded to; the matrix may scale.
         let scale = length(&turned[..3]) / length(&[x, y, z]).max(1.0);
-        let cosine = dot / (127.0 * scale.max(1e-9) * length(&direction).max(1e-9));
-        (f64::from(lamp.ambient.0) + f64::from(lamp.diffuse.0) * cosine.clamp(0.0, 1.0)).min(65_535.0)
+        [0, 1, 2].map(|axis| turned[axis] / (127.0 * scale.max(1e-9)))
     }
+}
+
+pub fn length(vector: &[f64]) -> f64 {
+    vector.iter().map(|v| v * v).sum::<f64>().sqrt()
+}
+
+pub fn unit(vector: [f64; 3]) -> [f64; 3] {
+    let length = length(&vector).max(1e-9);
+    vector.map(|v| v / length)
+}
+
+/// Ambient light and diffuse, 0 to 65535.
+pub fn lambert(normal: [f64; 3]) -> f64 {
+    let lamp = lamp();
+    let direction = unit([lamp.direction.x, lamp.direction.y, lamp.direction.z].map(|v| v.to_num::<f64>()));
+    let cosine: f64 = normal.iter().zip(direction).map(|(a, b)| a * b).sum();
+    (f64::from(lamp.ambient.0) + DIFFUSE * cosine.clamp(0.0, 1.0)).min(65_535.0)
+}
+
+/// What the lamp adds at most.
+pub const DIFFUSE: f64 = 58_981.0;
+
+/// That of all scenes.
+pub fn lamp() -> Lamp {
+    Lamp {
+        direction: Vector3::new(number(0.4), number(0.6), number(0.69)),
+        ambient: Light(6_554),
+        diffuse: Light(58_981),
+    }
+}
+
+/// A texture coordinate as a mesh has it.
+#[expect(clippy::cast_possible_truncation, reason = "a float-to-int cast saturates")]
+pub fn uv_bits(v: f64) -> i16 {
+    (v * 4_096.0).round() as i16
 }
 
 /// What scenes look like, which share a camera.
@@ -147,11 +242,6 @@ pub fn camera(view: Rect) -> Camera {
         view: Matrix::<World, View>::IDENTITY,
         projection: Matrix::<View, Clip>::from_rows(rows.map(|row| row.map(number))),
         viewport: Viewport::new(view).expect("a viewport"),
-        lamp: Lamp {
-            direction: Vector3::new(number(0.4), number(0.6), number(0.69)),
-            ambient: Light(6_554),
-            diffuse: Light(58_981),
-        },
     }
 }
 
@@ -167,7 +257,8 @@ pub fn pose([about_x, about_y]: [u16; 2], at: [f64; 3]) -> Matrix<Model, World> 
 #[derive(Clone, Debug)]
 pub struct Picture {
     pub lights: Lights,
-    pub depths: Vec<u16>,
+    /// 0 to 1, of the last that was drawn.
+    pub depths: Vec<f64>,
 }
 
 /// The light of each pixel, and how often it was written.
@@ -182,12 +273,7 @@ impl Picture {
     pub fn new(window: Rect) -> Self {
         let pixels = window.width() as usize * window.height() as usize;
         let lights = Lights { window, shown: vec![None; pixels], writes: vec![0; pixels] };
-        Self { lights, depths: vec![0; pixels] }
-    }
-
-    /// 0 to 1.
-    pub fn depth(&self, at: usize) -> f64 {
-        f64::from(self.depths[at]) / 65_535.0
+        Self { lights, depths: vec![0.0; pixels] }
     }
 
     /// `.` not drawn, `#` drawn once, a digit when more often.

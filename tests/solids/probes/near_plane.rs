@@ -12,6 +12,8 @@ fn both_sides(corners: [[f64; 3]; 3]) -> Scene {
     let positions = corners.map(|corner| place(corner.map(|v| v / 8.0)));
     let mut scene = Scene::new(&positions, &[[0, 1, 2], [0, 2, 1]], scaled(8.0), VIEW);
     scene.normals = vec![[0, 0, 127], [127, 0, 0], [0, -127, 0]];
+    scene.face_normals = vec![[0, 127, 0], [90, 0, 90]];
+    scene.uvs = vec![[0.2, 0.3], [0.8, 0.1], [0.5, 0.9]];
     scene
 }
 

@@ -3,12 +3,18 @@
 //! The wall of the benches: depth 2 at the left end, 6 at the right, filling the view; u = (depth − 2)/4, and v from the
 //! top to the bottom of the right end, over a texture of 64 × 64.
 
-use aquatint::{Rect, Scalar};
+use aquatint::{
+    Light, Rect, Scalar,
+    fragment::{
+        shade::{self, Unlit},
+        texture::{ClampToEdge, LightTexture, Sampler},
+    },
+};
 
 use crate::{
     probes::scaled,
     reference::{Seen, float},
-    renderer::{Scene, number, place, seen},
+    renderer::{Picture, Scene, draw_with, number, place, seen},
 };
 
 /// Texels of the texture across and down.
@@ -121,6 +127,93 @@ fn the_reference_has_the_texels_that_rays_strike() {
 fn a_texture_without_perspective_or_with_gaps_is_found_out() {
     for view in [SMALL, LARGE] {
         assert!(share::<Linear>(view) < 0.5 && share::<Gaps>(view) < 0.88);
+    }
+}
+
+/// Ours: the number of the texel is its light, one coordinate at a time.
+struct Ours;
+
+/// A texture whose texels are as bright as their number along one axis.
+fn numbers(axis: usize) -> Vec<Light> {
+    let number = |at: usize| Light(u16::try_from([at % 64, at / 64][axis]).expect("small"));
+    (0..64 * 64).map(number).collect()
+}
+
+impl Textured for Ours {
+    fn texels(scene: &Scene) -> Vec<Option<[f64; 2]>> {
+        let along = |axis: usize| {
+            let texels = numbers(axis);
+            let texture = LightTexture::new(&texels, 64, 64).expect("a texture");
+            let shading = shade::Textured::new(Sampler::new(texture).with_wrap(ClampToEdge), Unlit);
+            let mut picture = Picture::new(scene.camera.viewport.rect());
+            draw_with::<u16, _>(core::slice::from_ref(scene), &mut picture, shading, false).expect("in range");
+            picture.lights.shown
+        };
+        let both = along(0).into_iter().zip(along(1));
+        both.map(|(u, v)| Some([u?, v?].map(|light| f64::from(light.0)))).collect()
+    }
+}
+
+#[test]
+fn our_wall_is_in_perspective() {
+    is_in_perspective::<Ours>();
+}
+
+/// A wall of so many copies of the texture across, or a floor; how much of it is within a texel, in copies of the texture too.
+fn share_of(scene: &Scene) -> f64 {
+    let reference = seen(core::slice::from_ref(scene));
+    // The texel is told without its copy.
+    let along = |axis: usize| {
+        let texels = numbers(axis);
+        let texture = LightTexture::new(&texels, 64, 64).expect("a texture");
+        let shading = shade::Textured::new(Sampler::new(texture), Unlit);
+        let mut picture = Picture::new(scene.camera.viewport.rect());
+        draw_with::<u16, _>(core::slice::from_ref(scene), &mut picture, shading, false).expect("in range");
+        picture.lights.shown
+    };
+    let (mut right, mut covered) = (0, 0);
+    for ((u, v), seen) in along(0).into_iter().zip(along(1)).zip(&reference.seen) {
+        let (Some(u), Some(v), Some(seen)) = (u, v, seen) else { continue };
+        let is_near = |light: Light, uv: f64| {
+            let off = (f64::from(light.0) - (uv * TEXELS).floor()).rem_euclid(TEXELS);
+            off <= 1.0 || off >= TEXELS - 1.0
+        };
+        covered += 1;
+        right += usize::from(is_near(u, seen.uv[0]) && is_near(v, seen.uv[1]));
+    }
+    assert!(covered > reference.seen.len() / 4, "{covered}");
+    float(right) / float(covered)
+}
+
+/// Eight copies of the texture across the wall: 512 texels.
+#[test]
+fn a_wall_of_eight_copies() {
+    for (view, least) in [(SMALL, 0.5), (LARGE, 0.9)] {
+        let mut scene = receding_wall(view);
+        scene.uvs.iter_mut().for_each(|uv| uv[0] = uv[0] * 8.0 - 4.0);
+        let share = share_of(&scene);
+        println!("{} × {}, 8 copies: {:.3} %", view.width(), view.height(), share * 100.0);
+        assert!(share >= least, "{share}");
+    }
+}
+
+/// A floor that is 30 times as far at its far end, and a wall beside the viewer of that depth.
+#[test]
+fn a_steep_floor_and_a_steep_wall() {
+    for view in [SMALL, LARGE] {
+        let aspect = f64::from(view.width()) / f64::from(view.height());
+        let floor = [(-1.0, 15.0), (1.0, 15.0), (1.0, 0.5), (-1.0, 0.5)]
+            .map(|(side, depth)| ([side * 4.0 * aspect, -0.25, -depth], [side / 2.0 + 0.5, (15.0 - depth) / 14.5]));
+        let wall = [(-1.0, 0.5), (-1.0, 15.0), (1.0, 15.0), (1.0, 0.5)]
+            .map(|(up, depth)| ([-0.25 * aspect, up * 2.0, -depth], [(15.0 - depth) / 14.5, up / 2.0 + 0.5]));
+        for (name, corners) in [("floor", floor), ("wall", wall)] {
+            let positions = corners.map(|(at, _)| place(at.map(|v| v / 16.0)));
+            let mut scene = Scene::new(&positions, &[[0, 1, 2], [0, 2, 3], [0, 2, 1], [0, 3, 2]], scaled(16.0), view);
+            scene.uvs = corners.map(|(_, uv)| uv).to_vec();
+            let share = share_of(&scene);
+            println!("{} × {}, {name}: {:.3} %", view.width(), view.height(), share * 100.0);
+            assert!(share >= 0.5, "{share}");
+        }
     }
 }
 

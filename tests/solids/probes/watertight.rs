@@ -30,7 +30,9 @@ fn joined<R: Renderer>(scene: &Scene) -> usize {
     let picture = one_by_one::<R>(scene);
     let mut inner = 0;
     for at in 0..reference.layers.len() {
-        let is_inner = reference.border[at] > NEAR && reference.layers[at] > 0;
+        // In the last depth before the far plane nothing is seen: with 8 bits of it that counts.
+        let is_deep = reference.seen[at].is_some_and(|seen| seen.depth < R::RESOLVES + 0.1 * seen.slopes[0]);
+        let is_inner = reference.border[at] > NEAR && reference.layers[at] > 0 && !is_deep;
         if is_inner {
             assert_eq!(picture.lights.writes[at], 1, "{scene:?}\n{}", picture.picture());
         }
