@@ -9,7 +9,9 @@
 
 mod fragments;
 mod surface;
+mod unpainted;
 mod vertex;
+mod wireframe;
 
 use core::{error::Error, fmt};
 
@@ -39,8 +41,10 @@ use crate::{
 pub use fragments::DepthBias;
 use fragments::{Fragments, MeshTriangle, Piece};
 use surface::Surface;
+pub use unpainted::Unpainted;
 use vertex::ClipVertex;
 pub use vertex::MeshVertex;
+pub use wireframe::draw_wireframe;
 
 /// A mesh, put somewhere, and what it is made of.
 #[derive(Clone, Copy, Debug)]
@@ -173,12 +177,25 @@ where
     H: Hidden,
     T: Target<Color = S::Color>,
 {
+    let surface = prepared(instance, scene, workspace.vertices)?;
+    let bounds = surface.viewport.rect().intersection(workspace.hidden.bounds()).intersection(target.bounds());
+    let mut fragments = Fragments { hidden: workspace.hidden, target, bounds };
+    draw_triangles(&surface, &mut fragments).map_err(DrawError::Target)
+}
+
+/// Vertex processing: everything that is done before the first triangle is looked at.
+#[inline]
+fn prepared<'s, S: Shading, L: Lighting, E>(
+    instance: &'s Instance<'_, S>,
+    scene: &Scene<L>,
+    vertices: &'s mut [MeshVertex],
+) -> Result<Surface<'s, S, L::Illumination>, DrawError<E>> {
     let Instance { mesh, placement, material } = instance;
     let Camera { view, projection, viewport } = scene.camera;
     let to_clip = placement.then(&view).then(&projection);
     let transform = MeshTransform::new(&to_clip).map_err(|OutOfRange| DrawError::OutOfRange)?;
     let needed = mesh.positions().len();
-    let vertices = workspace.vertices.get_mut(..needed).ok_or(DrawError::TooFewVertices { needed })?;
+    let vertices = vertices.get_mut(..needed).ok_or(DrawError::TooFewVertices { needed })?;
     let eye = if L::NEEDS_EYE { view.eye() } else { Point3::ORIGIN };
     let lit = Lit { placement, eye, surface: material.surface };
     let surface = Surface {
@@ -192,10 +209,7 @@ where
         vertices: &[],
     };
     surface.process_vertices(vertices);
-    let surface = Surface { vertices, ..surface };
-    let bounds = viewport.rect().intersection(workspace.hidden.bounds()).intersection(target.bounds());
-    let mut fragments = Fragments { hidden: workspace.hidden, target, bounds };
-    draw_triangles(&surface, &mut fragments).map_err(DrawError::Target)
+    Ok(Surface { vertices, ..surface })
 }
 
 /// Every triangle that shows a side that is wanted.

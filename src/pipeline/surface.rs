@@ -81,7 +81,7 @@ impl<S: Shading, I: Illumination> Surface<'_, S, I> {
     }
 
     #[inline]
-    fn corner(&self, index: u16, side: Side) -> Corner {
+    pub(super) fn corner(&self, index: u16, side: Side) -> Corner {
         let (at, vertex) = (usize::from(index), self.vertex(index));
         let normal = self.mesh.normals().get(at).copied().unwrap_or_default();
         Corner {

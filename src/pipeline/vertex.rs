@@ -1,7 +1,10 @@
 //! Vertices on their way: as the workspace keeps them, and in clip space.
 
 use crate::{
-    clip::sutherland_hodgman::{Crossing, Cut},
+    clip::{
+        sutherland_hodgman::{Crossing, Cut},
+        vertex::Homogeneous,
+    },
     colour::Light,
     geometry::viewport::ScreenPoint,
     num::{Scalar, bits},
@@ -61,6 +64,13 @@ impl MeshVertex {
 pub(super) struct ClipVertex<A> {
     pub(super) point: Point4<Clip>,
     pub(super) attributes: A,
+}
+
+impl<A: Varying> Homogeneous for ClipVertex<A> {
+    #[inline]
+    fn point(&self) -> Point4<Clip> {
+        self.point
+    }
 }
 
 impl<A: Varying> Cut for ClipVertex<A> {

@@ -2,6 +2,7 @@
 //!
 //! ```text
 //!              once a corner         once a triangle that is seen       each pixel seen
+//!   Plain      ─                     ─                                  ─
 //!   Flat                             light of the face                  ─
 //!   Gouraud    light of the vertex   plane of light                     an addition
 //!   Phong      normal, place         planes of both                     the light there
@@ -16,6 +17,7 @@
 //! Lights and normals are linear on the screen, as in the lecture; texture coordinates are right in perspective.
 
 mod gouraud;
+mod line;
 mod mapped;
 mod perspective;
 mod phong;
@@ -23,6 +25,7 @@ mod shader;
 mod textured;
 
 pub use gouraud::{Flat, Gouraud, Unlit};
+pub use line::{LineShading, Plain};
 pub use mapped::{Mapped, Stippled};
 pub use perspective::{Perspective, PerspectiveRun};
 pub use phong::Phong;
