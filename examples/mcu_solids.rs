@@ -19,7 +19,6 @@ use aquatint::{
     },
     hidden::{convex::Convex, depth::DepthBuffer},
     model::{
-        mesh::Mesh,
         revolved::{Parts, sphere_triangles, vertices},
         solids::DODECAHEDRON,
     },
@@ -33,12 +32,20 @@ const FRAMES: u16 = 8;
 const LEFT: Rect = Rect::new(0, 0, 64, 64);
 const RIGHT: Rect = Rect::new(64, 0, 128, 64);
 
-
 /// Sixteen segments around, ten from pole to pole.
 static BALL: Parts<{ vertices(16, 10) }, { sphere_triangles(16, 10) }> = Parts::sphere::<16, 10>();
 
-/// Bricks: a bit a texel, each with its own light.
-static BRICKS: [u8; 8] = [0b1110_1111, 0b1110_1111, 0b1110_1111, 0, 0b1111_1110, 0b1111_1110, 0b1111_1110, 0];
+/// Bricks, 32 × 16 texels of a bit each.
+static BRICKS: [u8; 64] = {
+    let rows = [0b1110_1111, 0b1110_1111, 0b1110_1111, 0, 0b1111_1110, 0b1111_1110, 0b1111_1110, 0];
+    let (mut bytes, mut at) = ([0; 64], 0);
+    while at < bytes.len() {
+        bytes[at] = rows[at / 4 % 8];
+        at += 1;
+    }
+    bytes
+};
+/// What its two codes stand for.
 static MORTAR_AND_BRICK: [Light; 2] = [Light(6_000), Light::WHITE];
 
 /// All the memory that a picture takes, 14 KiB. Zero bytes, so that none of it takes flash.
@@ -49,11 +56,8 @@ struct Memory {
 }
 
 impl Memory {
-    const NEW: Self = Self {
-        bytes: [0; 128 * 64 / 2],
-        depths: [0; 64 * 64],
-        vertices: [MeshVertex::EMPTY; vertices(16, 10)],
-    };
+    const NEW: Self =
+        Self { bytes: [0; 128 * 64 / 2], depths: [0; 64 * 64], vertices: [MeshVertex::EMPTY; vertices(16, 10)] };
 }
 
 /// Draws one frame; `None` if some of the constants above were wrong. A function of its own, so that a
@@ -71,10 +75,9 @@ fn draw(memory: &mut Memory, number: u16) -> Option<()> {
 
 /// Convex, so it needs no depth.
 fn ball(light: &mut impl Target<Color = Light>, vertices: &mut [MeshVertex], number: u16) -> Option<()> {
-    let texture = Texture::new(&BRICKS, 8, 8, &MORTAR_AND_BRICK).ok()?;
+    let texture = Texture::new(&BRICKS, 32, 16, &MORTAR_AND_BRICK).ok()?;
     let shading = Textured::new(Sampler::new(texture), Gouraud);
-    let mesh: Mesh<'_> = BALL.mesh().ok()?;
-    let ball = Instance::new(mesh, scene::placement(number)).with_material(Material::new(shading));
+    let ball = Instance::new(BALL.mesh().ok()?, scene::placement(number)).with_material(Material::new(shading));
     draw_mesh(&ball, &scene::scene(LEFT)?, &mut Workspace { vertices, hidden: &mut Convex }, light).ok()
 }
 

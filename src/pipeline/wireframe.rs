@@ -43,7 +43,7 @@ use crate::{
 ///
 /// Each pixel of a line is tested and remembered as one of a face is, at the depth of the line moved by the material's
 /// [bias](DepthBias). [`Gouraud`](crate::fragment::shade::Gouraud) gives a line the light from end to end,
-/// [`Plain`](crate::fragment::shade::Plain) one colour.
+/// [`Plain`](crate::fragment::shade::Plain) one colour; [`Fogged`](crate::fragment::shade::Fogged) lines grow dim with the distance.
 ///
 /// - Of a solid by itself that is convex, the front faces have no hidden edges: [`Convex`](crate::hidden::convex::Convex)
 ///   does.
@@ -93,6 +93,24 @@ use crate::{
 /// # let row = |y| (0..27).map(|x| sign(frame.pixel(Point::new(x, y)))).collect::<String>();
 /// # let picture: Vec<_> = (0..18).map(row).collect();
 /// assert_eq!(picture, [
+///     "..........###..............",
+///     "..........#..#####.........",
+///     ".........##.......##.......",
+///     "........#..####....##......",
+///     ".......##......####.#......",
+///     ".......#.........#...#.....",
+///     "......#..........#...#.....",
+///     "......#..........#...#.....",
+///     ".....#...........#...#.....",
+///     ".....#...........#...##....",
+///     "......#..........#...#.....",
+///     "......#..........#...#.....",
+///     ".......#.........#...#.....",
+///     ".......##......####.#......",
+///     "........#..####....##......",
+///     ".........##.......##.......",
+///     "..........#..#####.........",
+///     "..........###..............",
 /// ]);
 /// ```
 ///
@@ -182,8 +200,10 @@ where
 {
     let end = |index| {
         let (vertex, corner) = (surface.vertex(index), surface.corner(index, side));
-        let light = surface.shading.end(&corner);
-        vertex.is_projected().then(|| End { position: vertex.position(), depth: vertex.depth(), light })
+        vertex.is_projected().then(|| {
+            let light = surface.shading.seen(surface.shading.end(&corner), surface.w(index));
+            End { position: vertex.position(), depth: vertex.depth(), light }
+        })
     };
     let [a, b] = edge;
     let Some(ends) = end(a).zip(end(b)).or_else(|| clipped_ends(surface, edge, side)) else { return Ok(()) };
@@ -210,7 +230,7 @@ where
     let end = |vertex: &ClipVertex<[u16; 1]>| {
         let ScreenPoint { position, depth } = surface.viewport.project(&vertex.point);
         let [light] = vertex.attributes;
-        End { position, depth: depth << 7, light: Light(light) }
+        End { position, depth: depth << 7, light: surface.shading.seen(Light(light), vertex.point.w) }
     };
     Some((end(&a), end(&b)))
 }

@@ -1,37 +1,10 @@
 //! Which pixels, in floating point.
 
 use super::*;
-use aquatint::{Point3, fragment::shade::Plain, geometry::face::Faces};
+use aquatint::{fragment::shade::Plain, geometry::face::Faces};
 use proptest::prelude::*;
 
 const VIEW: Rect = Rect::new(0, 0, 64, 48);
-
-/// By degrees, and a bit.
-fn pose(y: i32, x: i32) -> Matrix<Model, World> {
-    Matrix::<Model, Model>::rotation_y(degrees(y)).then(&Matrix::rotation_x(degrees(x)))
-}
-
-fn degrees(v: i32) -> Angle {
-    #[expect(clippy::cast_sign_loss, clippy::cast_possible_truncation, reason = "modulo a turn")]
-    Angle((v * 182 + 70) as u16)
-}
-
-/// The corners of a mesh on the screen, in pixels, and how far in front of the eye each is.
-fn projected<S>(instance: &Instance<'_, S>, scene: &Scene) -> Vec<[f64; 3]> {
-    let rows = |matrix: [[Scalar; 4]; 4]| matrix.map(|row| row.map(|v| v.to_num::<f64>()));
-    let to_view = instance.placement.then(&scene.camera.view);
-    let projection = rows(*scene.camera.projection.rows());
-    let view = scene.camera.viewport.rect();
-    let place = |position: &[i16; 3]| {
-        let [x, y, z] = position.map(|v| Scalar::from_bits(i32::from(v) * 4));
-        let p = to_view.transform_point(Point3::new(x, y, z));
-        let point = [p.x.to_num::<f64>(), p.y.to_num(), p.z.to_num(), 1.0];
-        let [x, y, _, w] = projection.map(|row| row.iter().zip(point).map(|(a, b)| a * b).sum::<f64>());
-        let along = |v: f64, from: i32, to: i32| f64::from(from) + (v / w + 1.0) / 2.0 * f64::from(to - from);
-        [along(x, view.left, view.right), along(-y, view.top, view.bottom), w]
-    };
-    instance.mesh.positions().iter().map(place).collect()
-}
 
 /// The edges of the squares that face the eye, each once.
 fn front_edges(corners: &[[f64; 3]]) -> Vec<[usize; 2]> {
@@ -53,7 +26,7 @@ fn front_edges(corners: &[[f64; 3]]) -> Vec<[usize; 2]> {
 }
 
 /// How far a pixel's centre is from a line, across its driving axis; none beyond its ends.
-fn aside([a, b]: [[f64; 3]; 2], (x, y): (i32, i32)) -> Option<f64> {
+pub fn aside([a, b]: [[f64; 3]; 2], (x, y): (i32, i32)) -> Option<f64> {
     let [x, y] = [x, y].map(|v| f64::from(v) + 0.5);
     let steep = (b[1] - a[1]).abs() > (b[0] - a[0]).abs();
     let axes = |x: f64, y: f64| if steep { (y, x) } else { (x, y) };
@@ -68,7 +41,7 @@ fn aside([a, b]: [[f64; 3]; 2], (x, y): (i32, i32)) -> Option<f64> {
 }
 
 /// How far a pixel is along the driving axis of a line, from 0 to 1, and how long that is.
-fn along([a, b]: [[f64; 3]; 2], (x, y): (i32, i32)) -> (f64, f64) {
+pub fn along([a, b]: [[f64; 3]; 2], (x, y): (i32, i32)) -> (f64, f64) {
     let steep = (b[1] - a[1]).abs() > (b[0] - a[0]).abs();
     let (from, to, at) = if steep { (a[1], b[1], y) } else { (a[0], b[0], x) };
     (((f64::from(at) + 0.5 - from) / (to - from)).clamp(0.0, 1.0), (to - from).abs())
@@ -153,8 +126,8 @@ proptest! {
                 let (line, [from, to]) = ([corners[p], corners[q]], [p, q].map(|i| f64::from(lights[i].0)));
                 aside(line, at).filter(|&aside| aside <= 0.64)?;
                 let (way, length) = along(line, at);
-                // A quarter of a pixel for rounded ends, and a unit each for reflecting twice and for the sum.
-                let allowed = (to - from).abs() / (4.0 * length.max(0.5)) + 3.0;
+                // Less than half a pixel for rounded ends, and a unit each for reflecting twice and for the sum.
+                let allowed = (to - from).abs() / (2.5 * length.max(0.5)) + 4.0;
                 Some((f64::from(light) - from - (to - from) * way).abs() - allowed)
             };
             let error = [[0, 1], [1, 2], [2, 0]].into_iter().filter_map(excess).fold(f64::MAX, f64::min);

@@ -1,5 +1,6 @@
 //! Wireframes: pictures, and lines against edges projected in floating point.
 
+mod fog;
 mod hostile;
 mod lines;
 mod pictures;
@@ -7,7 +8,7 @@ mod pictures;
 use core::{convert::Infallible, ops::Range};
 
 use aquatint::{
-    Angle, Light, Matrix, Model, Rect, Scalar, Target, Vector3, View, World,
+    Angle, Light, Matrix, Model, Point3, Rect, Scalar, Target, Vector3, View, World,
     fragment::shade::{LineShading, Shading},
     geometry::{light::Lamp, projection::Lens, viewport::Viewport},
     hidden::{Hidden, convex::Convex, depth::DepthBuffer},
@@ -130,6 +131,40 @@ fn pushed<'a, S: Copy>(instance: &Instance<'a, S>) -> Instance<'a, S> {
 /// The workspace of up to 64 vertices.
 fn with_workspace<H: Hidden, R>(hidden: &mut H, draw: impl FnOnce(&mut Workspace<'_, H>) -> R) -> R {
     draw(&mut Workspace { vertices: &mut [MeshVertex::EMPTY; 64], hidden })
+}
+
+/// Faces without a depth test.
+fn faces<S: Shading>(instance: &Instance<'_, S>, scene: &Scene, bounds: Rect) -> Canvas<S::Color> {
+    let mut canvas = Canvas::new(bounds);
+    with_workspace(&mut Convex, |workspace| draw_mesh(instance, scene, workspace, &mut canvas)).expect("drawn");
+    canvas
+}
+
+/// The corners of a mesh on the screen, in pixels, and how far in front of the eye each is.
+fn projected<S>(instance: &Instance<'_, S>, scene: &Scene) -> Vec<[f64; 3]> {
+    let rows = |matrix: [[Scalar; 4]; 4]| matrix.map(|row| row.map(|v| v.to_num::<f64>()));
+    let to_view = instance.placement.then(&scene.camera.view);
+    let projection = rows(*scene.camera.projection.rows());
+    let view = scene.camera.viewport.rect();
+    let place = |position: &[i16; 3]| {
+        let [x, y, z] = position.map(|v| Scalar::from_bits(i32::from(v) * 4));
+        let p = to_view.transform_point(Point3::new(x, y, z));
+        let point = [p.x.to_num::<f64>(), p.y.to_num(), p.z.to_num(), 1.0];
+        let [x, y, _, w] = projection.map(|row| row.iter().zip(point).map(|(a, b)| a * b).sum::<f64>());
+        let along = |v: f64, from: i32, to: i32| f64::from(from) + (v / w + 1.0) / 2.0 * f64::from(to - from);
+        [along(x, view.left, view.right), along(-y, view.top, view.bottom), w]
+    };
+    instance.mesh.positions().iter().map(place).collect()
+}
+
+/// By degrees, and a bit.
+fn pose(y: i32, x: i32) -> Matrix<Model, World> {
+    Matrix::<Model, Model>::rotation_y(degrees(y)).then(&Matrix::rotation_x(degrees(x)))
+}
+
+fn degrees(v: i32) -> Angle {
+    #[expect(clippy::cast_sign_loss, clippy::cast_possible_truncation, reason = "modulo a turn")]
+    Angle((v * 182 + 70) as u16)
 }
 
 /// Edges without a depth test.

@@ -2,18 +2,29 @@
 //!
 //! ```text
 //!   Gouraud      light of the vertex ●━━━━━━━━━━● light of the vertex
+//!   Unlit        white               ●━━━━━━━━━━● white
 //!   Plain        one colour          ●━━━━━━━━━━●
+//!   Fogged       what the fog leaves ●━━━━━━━━━━● of either
 //! ```
 
 use core::ops::Range;
 
-use super::{Corner, Facet, Gouraud, Shading};
-use crate::{colour::Light, illumination::Illumination, target::Target, vary::Ramp};
+use super::{Corner, Facet, Gouraud, Shading, Unlit};
+use crate::{colour::Light, illumination::Illumination, num::Scalar, target::Target, vary::Ramp};
 
 /// How lines get their colours: for [wireframes](crate::pipeline::draw_wireframe).
 pub trait LineShading: Shading {
+    /// Whether pixels get their light from the ends.
+    const CARRIES_LIGHT: bool = true;
+
     /// The light that an end of a line carries.
     fn end(&self, corner: &Corner) -> Light;
+
+    /// What is seen of that light from a distance, if the shading [needs](Shading::NEEDS_W) it.
+    #[inline]
+    fn seen(&self, light: Light, _w: Scalar) -> Light {
+        light
+    }
 
     /// Draws a run of pixels that are all seen; `run` is its row and its columns, at which the light begins.
     ///
@@ -32,6 +43,24 @@ impl LineShading for Gouraud {
     fn end(&self, corner: &Corner) -> Light {
         let [light] = self.corner(corner);
         Light(light)
+    }
+
+    #[inline]
+    fn paint_line<T: Target<Color = Light>>(
+        &self,
+        (row, columns): (i32, Range<i32>),
+        light: Ramp<1>,
+        target: &mut T,
+    ) -> Result<(), T::Error> {
+        target.fill_ramp(row, columns, light)
+    }
+}
+
+/// White, unless there is fog.
+impl LineShading for Unlit {
+    #[inline]
+    fn end(&self, _corner: &Corner) -> Light {
+        Light::WHITE
     }
 
     #[inline]
@@ -90,6 +119,8 @@ impl<C: Copy> Shading for Plain<C> {
 }
 
 impl<C: Copy> LineShading for Plain<C> {
+    const CARRIES_LIGHT: bool = false;
+
     #[inline]
     fn end(&self, _corner: &Corner) -> Light {
         Light::BLACK
