@@ -42,6 +42,11 @@ impl MeshVertex {
         }
     }
 
+    /// The same light, but the vertex must be clipped first.
+    pub(super) const fn unprojected(self) -> Self {
+        Self { front: self.front, back: self.back, ..Self::UNPROJECTED }
+    }
+
     #[inline]
     pub(super) const fn is_projected(&self) -> bool {
         self.across >> 12 != 0x8_0000

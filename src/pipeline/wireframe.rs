@@ -13,7 +13,7 @@
 use core::ops::Range;
 
 use super::{
-    DrawError, Instance, Scene, Workspace, clipped,
+    Bounds, ClippedTriangle, DrawError, Instance, Scene, Workspace,
     fragments::{DepthBias, Fragments},
     prepared,
     surface::Surface,
@@ -116,19 +116,20 @@ use crate::{
 ///
 /// # Errors
 /// [`DrawError`].
-pub fn draw_wireframe<S, L, H, T>(
-    instance: &Instance<'_, S>,
+pub fn draw_wireframe<S, B, L, H, T>(
+    instance: &Instance<'_, S, B>,
     scene: &Scene<L>,
     workspace: &mut Workspace<'_, H>,
     target: &mut T,
 ) -> Result<(), DrawError<T::Error>>
 where
     S: LineShading,
+    B: Bounds,
     L: Lighting,
     H: Hidden,
     T: Target<Color = S::Color>,
 {
-    let surface = prepared(instance, scene, workspace.vertices)?;
+    let Some(surface) = prepared(instance, scene, workspace.vertices)? else { return Ok(()) };
     let bounds = surface.viewport.rect().intersection(workspace.hidden.bounds()).intersection(target.bounds());
     let mut fragments = Fragments { hidden: workspace.hidden, target, bounds };
     draw_edges(&surface, &mut fragments).map_err(DrawError::Target)
@@ -166,10 +167,11 @@ fn shown<S: LineShading, I: Illumination>(surface: &Surface<'_, S, I>, corners: 
         return surface.faces.shows(signed_area(a, b, c));
     }
     // Before the divide it may seem to be the other one: what is left of the triangle tells.
-    let polygon = clipped(
+    let mut polygon = ClippedTriangle::from(
         corners.map(|index| ClipVertex { point: surface.transform.apply(surface.position(index)), attributes: [] }),
     );
-    let [first, rest @ ..] = polygon.as_slice() else { return None };
+    let mut spare = ClippedTriangle::new();
+    let [first, rest @ ..] = surface.clipped(&mut polygon, &mut spare) else { return None };
     let place = |vertex: &ClipVertex<[u16; 0]>| surface.viewport.project(&vertex.point).position;
     let areas = rest.windows(2).map(|pair| match pair {
         [second, third] => signed_area(place(first), place(second), place(third)),
@@ -226,7 +228,8 @@ where
         let corner = surface.corner(index, side);
         ClipVertex { point: surface.transform.apply(corner.position), attributes: [surface.shading.end(&corner).0] }
     });
-    let (a, b) = liang_barsky_3d::clip((a, b), Volume::GuardBand)?;
+    let line = liang_barsky_3d::clip_to((a, b), surface.planes)?;
+    let (a, b) = liang_barsky_3d::clip(line, Volume::GuardBand)?;
     let end = |vertex: &ClipVertex<[u16; 1]>| {
         let ScreenPoint { position, depth } = surface.viewport.project(&vertex.point);
         let [light] = vertex.attributes;

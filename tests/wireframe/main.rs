@@ -4,6 +4,7 @@ mod fog;
 mod hostile;
 mod lines;
 mod pictures;
+mod planes;
 
 use core::{convert::Infallible, ops::Range};
 
@@ -14,7 +15,8 @@ use aquatint::{
     hidden::{Hidden, convex::Convex, depth::DepthBuffer},
     model::{assembly::Assembly, mesh::Mesh, solids::CUBE},
     pipeline::{
-        Camera, DepthBias, Instance, Material, MeshVertex, Scene, Unpainted, Workspace, draw_mesh, draw_wireframe,
+        Bounds, Camera, DepthBias, Instance, Material, MeshVertex, Scene, Unpainted, Workspace, draw_mesh,
+        draw_wireframe,
     },
 };
 
@@ -134,7 +136,7 @@ fn with_workspace<H: Hidden, R>(hidden: &mut H, draw: impl FnOnce(&mut Workspace
 }
 
 /// Faces without a depth test.
-fn faces<S: Shading>(instance: &Instance<'_, S>, scene: &Scene, bounds: Rect) -> Canvas<S::Color> {
+fn faces<S: Shading, B: Bounds>(instance: &Instance<'_, S, B>, scene: &Scene, bounds: Rect) -> Canvas<S::Color> {
     let mut canvas = Canvas::new(bounds);
     with_workspace(&mut Convex, |workspace| draw_mesh(instance, scene, workspace, &mut canvas)).expect("drawn");
     canvas
