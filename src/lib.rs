@@ -65,6 +65,7 @@ pub mod curve;
 mod edge;
 mod em;
 mod error;
+mod fog;
 pub mod illumination;
 mod lines;
 mod matrix;
@@ -139,6 +140,7 @@ pub use display::{
     window::Window,
 };
 pub use error::OutOfRange;
+pub use fog::Fog;
 pub use fragment::{
     blend::{Blended, OnBackground, SoftBrush},
     gradient::{Extend, LinearGradient, RadialGradient},

@@ -3,13 +3,14 @@
 use std::{collections::BTreeSet, fs, path::Path};
 
 /// Files directly in `src/`, and what each uses: only words above it, so that there is no cycle.
-const WORDS: [(&str, &[&str]); 36] = [
+const WORDS: [(&str, &[&str]); 37] = [
     ("error", &[]),
     ("num", &[]),
     ("palette", &[]),
     ("angle", &["num"]),
     ("colour", &["num"]),
     ("coverage", &["num"]),
+    ("fog", &["colour", "error", "num"]),
     ("illumination", &["colour", "num"]),
     ("space", &["num"]),
     ("srgb", &["colour", "num", "palette"]),

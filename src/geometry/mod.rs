@@ -24,7 +24,10 @@ pub mod angle {
     pub use crate::angle::Angle;
 }
 pub mod face;
-pub mod fog;
+/// [`Fog`](fog::Fog), which every stage may use.
+pub mod fog {
+    pub use crate::fog::{BadFog, Fog};
+}
 pub mod inverse;
 pub mod light;
 pub mod lights;

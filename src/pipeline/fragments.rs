@@ -37,8 +37,14 @@ impl DepthBias {
     /// None.
     pub const NONE: Self = Self { constant: 0, slope: 0 };
 
+    /// For faces that lines are drawn on: so far back that all lines of a [wireframe](super::draw_wireframe) are
+    /// seen that lie on them, in a depth buffer of 16 bits or more.
+    ///
+    /// A pixel of a line lies up to half a pixel beside it, where a steep face is at another depth.
+    pub const BEHIND_LINES: Self = Self { constant: -2, slope: -1 };
+
     /// Depths of 31 bits, moved; they stay in range.
-    pub(super) fn moved(self, depths: [u32; 3], steepness: u32) -> [u32; 3] {
+    pub(super) fn moved<const N: usize>(self, depths: [u32; N], steepness: u32) -> [u32; N] {
         const FINE: [i64; 2] = [(FARTHEST as i64) << 7, (NEAREST as i64) << 7];
         let bias = (i64::from(self.constant) << 15) + i64::from(self.slope) * i64::from(steepness);
         depths.map(|depth| low_i32((i64::from(depth) + bias).clamp(FINE[0], FINE[1])).cast_unsigned())

@@ -1,8 +1,10 @@
 //! Vertex processing: a mesh that has been transformed and lit.
 
-use super::vertex::MeshVertex;
+use heapless::vec::VecView;
+
+use super::vertex::{ClipVertex, MeshVertex};
 use crate::{
-    clip::volume::Volume,
+    clip::{clip_plane::ClipPlane, sutherland_hodgman_3d, volume::Volume, window::Boundary},
     colour::Light,
     fragment::shade::{Corner, Shading},
     geometry::{
@@ -14,6 +16,7 @@ use crate::{
     model::mesh::Mesh,
     num::Scalar,
     pipeline::fragments::{DepthBias, MeshTriangle},
+    vary::Varying,
 };
 
 /// A mesh on its way to the screen.
@@ -22,6 +25,7 @@ pub(super) struct Surface<'s, S, I> {
     pub(super) shading: &'s S,
     pub(super) light: I,
     pub(super) transform: MeshTransform,
+    pub(super) planes: &'s [ClipPlane],
     pub(super) viewport: Viewport,
     pub(super) faces: Faces,
     pub(super) bias: DepthBias,
@@ -46,6 +50,31 @@ impl<S: Shading, I: Illumination> Surface<'_, S, I> {
                 vertex.back = self.light.on_vertex(position, turned(normal));
             }
         }
+        if !self.planes.is_empty() {
+            self.cut_vertices(vertices);
+        }
+    }
+
+    /// Sends vertices beyond a plane of the user's to the clipper. In a second pass, so that without planes nobody asks.
+    #[inline(never)]
+    fn cut_vertices(&self, vertices: &mut [MeshVertex]) {
+        for (vertex, &position) in vertices.iter_mut().zip(self.mesh.positions()) {
+            let point = self.transform.apply(position);
+            if self.planes.iter().any(|plane| plane.distance(&point) < 0) {
+                *vertex = vertex.unprojected();
+            }
+        }
+    }
+
+    /// The part of a triangle that may be projected, inside of all planes. Works in both lists.
+    pub(super) fn clipped<'m, A: Varying>(
+        &self,
+        triangle: &'m mut VecView<ClipVertex<A>>,
+        spare: &'m mut VecView<ClipVertex<A>>,
+    ) -> &'m [ClipVertex<A>] {
+        // There is room: see their capacity. Were there not, nothing would be drawn.
+        let polygon = sutherland_hodgman_3d::clip(triangle, spare, self.planes, Volume::GuardBand);
+        polygon.map_or(&[], |polygon| polygon.as_slice())
     }
 
     /// One of the vertices.
@@ -81,7 +110,7 @@ impl<S: Shading, I: Illumination> Surface<'_, S, I> {
     }
 
     #[inline]
-    fn corner(&self, index: u16, side: Side) -> Corner {
+    pub(super) fn corner(&self, index: u16, side: Side) -> Corner {
         let (at, vertex) = (usize::from(index), self.vertex(index));
         let normal = self.mesh.normals().get(at).copied().unwrap_or_default();
         Corner {

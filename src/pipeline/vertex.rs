@@ -1,7 +1,10 @@
 //! Vertices on their way: as the workspace keeps them, and in clip space.
 
 use crate::{
-    clip::sutherland_hodgman::{Crossing, Cut},
+    clip::{
+        sutherland_hodgman::{Crossing, Cut},
+        vertex::Homogeneous,
+    },
     colour::Light,
     geometry::viewport::ScreenPoint,
     num::{Scalar, bits},
@@ -39,6 +42,11 @@ impl MeshVertex {
         }
     }
 
+    /// The same light, but the vertex must be clipped first.
+    pub(super) const fn unprojected(self) -> Self {
+        Self { front: self.front, back: self.back, ..Self::UNPROJECTED }
+    }
+
     #[inline]
     pub(super) const fn is_projected(&self) -> bool {
         self.across >> 12 != 0x8_0000
@@ -61,6 +69,13 @@ impl MeshVertex {
 pub(super) struct ClipVertex<A> {
     pub(super) point: Point4<Clip>,
     pub(super) attributes: A,
+}
+
+impl<A: Varying> Homogeneous for ClipVertex<A> {
+    #[inline]
+    fn point(&self) -> Point4<Clip> {
+        self.point
+    }
 }
 
 impl<A: Varying> Cut for ClipVertex<A> {

@@ -2,6 +2,7 @@
 //!
 //! ```text
 //!              once a corner         once a triangle that is seen       each pixel seen
+//!   Plain      ─                     ─                                  ─
 //!   Flat                             light of the face                  ─
 //!   Gouraud    light of the vertex   plane of light                     an addition
 //!   Phong      normal, place         planes of both                     the light there
@@ -10,19 +11,23 @@
 //! ```
 //!
 //! Each is a type, so that a program has the code of what it uses, and no choice is made a pixel. They nest:
-//! `Textured::new(sampler, Gouraud)` is a lit texture, [`Mapped`] changes the colours of any of them, and [`Stippled`]
-//! leaves out pixels.
+//! `Textured::new(sampler, Gouraud)` is a lit texture, [`Mapped`] changes the colours of any of them, [`Fogged`]
+//! hides what is far, and [`Stippled`] leaves out pixels.
 //!
 //! Lights and normals are linear on the screen, as in the lecture; texture coordinates are right in perspective.
 
+mod fogged;
 mod gouraud;
+mod line;
 mod mapped;
 mod perspective;
 mod phong;
 mod shader;
 mod textured;
 
+pub use fogged::Fogged;
 pub use gouraud::{Flat, Gouraud, Unlit};
+pub use line::{LineShading, Plain};
 pub use mapped::{Mapped, Stippled};
 pub use perspective::{Perspective, PerspectiveRun};
 pub use phong::Phong;

@@ -94,7 +94,14 @@ impl Fog {
     /// The light that arrives from a distance. With perspective, `w` of clip space is that distance.
     #[must_use]
     pub fn over(&self, light: Light, w: Scalar) -> Light {
-        let part = u32::from(self.part(w));
+        self.hiding(light, self.part(w))
+    }
+
+    /// The light that arrives where a [part](Self::part) of it is hidden.
+    #[inline]
+    #[must_use]
+    pub fn hiding(&self, light: Light, part: u16) -> Light {
+        let part = u32::from(part);
         // The whole of 65536 where all is hidden.
         let part = part + u32::from(part == 0xFFFF);
         let mixed = u32::from(light.0) * (65_536 - part);
