@@ -180,7 +180,8 @@ impl<const N: usize> Blocks<N> {
             if part.cast_signed().unsigned_abs() >= over << 1 {
                 return None;
             }
-            let quotient = multiply_high(part.cast_signed() << shift.saturating_sub(2), inverse) << 2;
+            // Halved, so that it keeps its sign; there is always a zero to shift out of a number below 2³¹.
+            let quotient = multiply_high((part.cast_signed() >> 1) << shift.saturating_sub(1), inverse) << 2;
             *value = value.wrapping_add(bits(quotient));
         }
         if let Some(scale) = self.scale {
