@@ -8,8 +8,8 @@
 //!
 //! ```text
 //!  model        geometry       clip          raster        hidden        fragment       display
-//!  mesh    ──▶  transform, ──▶ keep the  ──▶ lines,   ──▶  who is   ──▶  patterns, ──▶  light → levels →
-//!               project,       visible       shapes        in front      gradients      bits → bytes
+//!  mesh    ──▶  transform, ──▶ keep the  ──▶ lines,   ──▶  who is   ──▶  shade,    ──▶  light → levels →
+//!               project,       visible       shapes        in front      texture        bits → bytes
 //!               light          part          become spans
 //! ```
 //!
@@ -20,7 +20,7 @@
 //! | [`clip`] | lines, polygons, points in clip space | what is inside |
 //! | [`raster`] | lines, outlines, strokes, text, triangles | spans, with their coverage where they are antialiased |
 //! | [`hidden`] | fragments with depth | the nearest |
-//! | [`fragment`] | spans, coverage; sub-frames | colours: patterns, pictures, gradients; blending; motion blur |
+//! | [`fragment`] | spans, coverage, corners of triangles; sub-frames | colours: shading, textures, patterns, pictures, gradients; blending; motion blur |
 //! | [`tone`] | colours of any system | light, corrected colours |
 //! | [`display`] | light or colours | packed bytes |
 //!
