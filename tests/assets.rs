@@ -76,13 +76,15 @@ fn length(vector: [f64; 3]) -> f64 {
 }
 
 #[test]
-fn the_picture_of_shapes_is_what_the_example_draws() {
+fn pictures_are_what_the_examples_draw() {
     let folder = tempfile::tempdir().expect("a folder");
-    let made = folder.path().join("shapes.png");
-    let output = Command::new(example("shapes")).arg(&made).output().expect("it runs");
-    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
-    let kept = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples/assets/shapes.png");
-    assert!(pixels(&made) == pixels(&kept), "cargo run --release --example shapes examples/assets/shapes.png");
+    for name in ["shapes", "antialiasing", "solids"] {
+        let made = folder.path().join(format!("{name}.png"));
+        let output = Command::new(example(name)).arg(&made).output().expect("it runs");
+        assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+        let kept = Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("examples/assets/{name}.png"));
+        assert!(pixels(&made) == pixels(&kept), "cargo run --release --example {name} examples/assets/{name}.png");
+    }
 }
 
 /// Size and bytes of a PNG.
