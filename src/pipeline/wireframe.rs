@@ -163,7 +163,7 @@ where
 fn shown<S: LineShading, I: Illumination>(surface: &Surface<'_, S, I>, corners: [u16; 3]) -> Option<Side> {
     let vertices = corners.map(|index| surface.vertex(index));
     if vertices.iter().all(MeshVertex::is_projected) {
-        let [a, b, c] = vertices.each_ref().map(|vertex| vertex.position());
+        let [a, b, c] = vertices.each_ref().map(MeshVertex::position);
         return surface.faces.shows(signed_area(a, b, c));
     }
     // Before the divide it may seem to be the other one: what is left of the triangle tells.

@@ -3,7 +3,12 @@
 use core::fmt::Debug;
 
 use super::*;
-use aquatint::{fragment::shade::Plain, geometry::face::Faces, pipeline::DrawError};
+use aquatint::{
+    BoundingSphere, ClipPlane,
+    fragment::shade::Plain,
+    geometry::face::Faces,
+    pipeline::{DrawError, MOST_PLANES},
+};
 use proptest::{prelude::*, sample::select};
 
 const VIEW: Rect = Rect::new(0, 0, 24, 16);
@@ -38,6 +43,7 @@ proptest! {
         placement in prop_oneof![matrix(), Just(Matrix::IDENTITY)],
         projection in prop_oneof![matrix(), Just(scene(VIEW).camera.projection)],
         bias in (any::<i16>(), any::<i8>()), faces in faces(),
+        planes in prop::collection::vec(prop::array::uniform4(scalar()), 0..=MOST_PLANES),
     ) {
         let count = u16::try_from(positions.len()).expect("few");
         let triangles: Vec<_> = corners.iter().map(|triangle| triangle.map(|index| index % count)).collect();
@@ -46,6 +52,8 @@ proptest! {
         let mut instance = Instance::new(mesh, placement);
         instance.material.faces = faces;
         instance.material.bias = DepthBias { constant: bias.0, slope: bias.1 };
+        let planes: Vec<_> = planes.into_iter().filter_map(|plane| ClipPlane::new(plane).ok()).collect();
+        let instance = instance.with_planes(&planes).with_bounds(BoundingSphere::new(Point3::ORIGIN, 400_000));
         let mut scene = scene(VIEW);
         scene.camera.projection = projection;
         // The canvas itself asserts that all is inside.
@@ -54,6 +62,8 @@ proptest! {
         let mut depth = DepthBuffer::new(&mut memory, VIEW).expect("enough");
         let result = with_workspace(&mut depth, |workspace| draw_wireframe(&instance, &scene, workspace, &mut canvas));
         prop_assert!(matches!(result, Ok(()) | Err(DrawError::OutOfRange)));
+        let faces = with_workspace(&mut depth, |workspace| draw_mesh(&instance, &scene, workspace, &mut canvas));
+        prop_assert_eq!(faces, result);
         if result.is_err() {
             prop_assert!(canvas.pixels.iter().all(|pixel| pixel.0 == 0));
         }

@@ -153,7 +153,7 @@ fn projected<S>(instance: &Instance<'_, S>, scene: &Scene) -> Vec<[f64; 3]> {
         let p = to_view.transform_point(Point3::new(x, y, z));
         let point = [p.x.to_num::<f64>(), p.y.to_num(), p.z.to_num(), 1.0];
         let [x, y, _, w] = projection.map(|row| row.iter().zip(point).map(|(a, b)| a * b).sum::<f64>());
-        let along = |v: f64, from: i32, to: i32| f64::from(from) + (v / w + 1.0) / 2.0 * f64::from(to - from);
+        let along = |v: f64, from: i32, to: i32| f64::from(from) + f64::midpoint(v / w, 1.0) * f64::from(to - from);
         [along(x, view.left, view.right), along(-y, view.top, view.bottom), w]
     };
     instance.mesh.positions().iter().map(place).collect()

@@ -28,7 +28,7 @@ fn assert_same(picture: &str, wanted: &str) {
 
 /// Tenths of white.
 fn digit(Light(light): Light) -> char {
-    char::from_digit(u32::from(light) * 10 >> 16, 10).expect("a digit")
+    char::from_digit((u32::from(light) * 10) >> 16, 10).expect("a digit")
 }
 
 #[test]

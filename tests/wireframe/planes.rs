@@ -107,6 +107,11 @@ fn floor_scene() -> Scene {
     scene
 }
 
+/// How often each pixel was drawn.
+fn counts<C>(canvas: &Canvas<C>) -> Vec<u32> {
+    canvas.pixels.iter().map(|pixel| pixel.0).collect()
+}
+
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(300))]
     #[test]
@@ -148,14 +153,11 @@ proptest! {
         let planes = [cut(&scene, [turn.cos(), 0.3, turn.sin()], offset), cut(&scene, [0.0, 1.0, 0.1], 0.4)];
         let cube = Instance::new(CUBE, pose(y, x)).with_planes(&planes);
         let texture = Texture::new(&[0x80, 0x40], 2, 2, &BLACK_AND_WHITE).expect("fits");
-        fn counts<C>(canvas: Canvas<C>) -> Vec<u32> {
-            canvas.pixels.into_iter().map(|pixel| pixel.0).collect()
-        }
-        let gouraud = counts(faces(&cube, &scene, VIEW));
-        prop_assert_eq!(&gouraud, &counts(faces(&cube.with_material(Material::new(Flat)), &scene, VIEW)));
-        prop_assert_eq!(&gouraud, &counts(faces(&cube.with_material(Material::new(Phong)), &scene, VIEW)));
+        let gouraud = counts(&faces(&cube, &scene, VIEW));
+        prop_assert_eq!(&gouraud, &counts(&faces(&cube.with_material(Material::new(Flat)), &scene, VIEW)));
+        prop_assert_eq!(&gouraud, &counts(&faces(&cube.with_material(Material::new(Phong)), &scene, VIEW)));
         let textured = Material::new(Textured::new(Sampler::new(texture), Gouraud));
-        prop_assert_eq!(&gouraud, &counts(faces(&cube.with_material(textured), &scene, VIEW)));
+        prop_assert_eq!(&gouraud, &counts(&faces(&cube.with_material(textured), &scene, VIEW)));
     }
 
     #[test]
