@@ -31,7 +31,10 @@ use crate::{
     hidden::Hidden,
     illumination::Illumination,
     matrix::Matrix,
-    model::{assembly::Face, mesh::Mesh},
+    model::{
+        assembly::{Assembly, Face},
+        mesh::Mesh,
+    },
     space::{Clip, Model, Point3, View, World},
     target::Target,
 };
@@ -262,7 +265,13 @@ where
     H: Hidden,
     T: Target<Color = S::Color>,
 {
-    for Face { corners, number: face } in surface.mesh.faces() {
+    // Plain triangles by the slice, without asking each time what they are.
+    let (list, others) = match surface.mesh.assembly() {
+        Assembly::Triangles(list) => (list, None),
+        _ => (&[][..], Some(surface.mesh.faces())),
+    };
+    let listed = list.iter().enumerate().map(|(number, &corners)| Face { corners, number });
+    for Face { corners, number: face } in listed.chain(others.into_iter().flatten()) {
         let [a, b, c] = corners;
         let vertices = [surface.vertex(a), surface.vertex(b), surface.vertex(c)];
         let [a, b, c] = &vertices;
