@@ -198,7 +198,7 @@ impl<E: Error + 'static> Error for DrawError<E> {
 /// Give it [`Dithered`](crate::Dithered) on a frame, or any other target of the shading's colour. A target that
 /// is a band of a picture, with a depth buffer of that band, gets the same pixels as the whole.
 ///
-/// Memory: 12 bytes a vertex and those of the depth buffer, lent by the caller; about 1 kB of stack.
+/// Memory: 12 bytes a vertex and those of the depth buffer, lent by the caller; two to four kB of stack, by the shading.
 ///
 /// # Errors
 /// [`DrawError`].

@@ -72,7 +72,7 @@ static TORUS: Arrays<VERTICES, 1008> = torus().with_face_normals();
 
 /// In 2.10, so that squares fit.
 const fn between(from: [i16; 3], to: [i16; 3]) -> [i64; 3] {
-    [(to[0] - from[0]) as i64 / 16, (to[1] - from[1]) as i64 / 16, (to[2] - from[2]) as i64 / 16]
+    [(to[0] as i64 - from[0] as i64) / 16, (to[1] as i64 - from[1] as i64) / 16, (to[2] as i64 - from[2] as i64) / 16]
 }
 
 /// Bit 0 of a vertex's number is its side along x, bit 1 along y, bit 2 along z.
