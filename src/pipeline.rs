@@ -354,6 +354,10 @@ where
 fn inward_corner<A>(polygon: &[ClipVertex<A>], viewport: Viewport, side: Side) -> usize {
     let places = polygon.iter().map(|vertex| viewport.project(&vertex.point).position);
     let (here, next) = (places.clone().cycle().skip(1), places.clone().cycle().skip(2));
-    let mut turns = places.zip(here).zip(next).map(|((before, here), next)| face::side(before, here, next));
-    turns.position(|turn| turn.is_some_and(|turn| turn != side)).map_or(0, |before| before.saturating_add(1))
+    let turns = places.zip(here).zip(next).map(|((before, here), next)| match side {
+        Side::Front => signed_area(before, here, next),
+        Side::Back => signed_area(next, here, before),
+    });
+    let most = turns.enumerate().max_by_key(|&(_, inwards)| inwards).filter(|&(_, inwards)| inwards > 0);
+    most.map_or(0, |(before, _)| before.saturating_add(1))
 }
