@@ -32,7 +32,7 @@ use crate::{
     illumination::Illumination,
     matrix::Matrix,
     model::{assembly::Face, mesh::Mesh},
-    space::{Clip, Model, Point3, View, World},
+    space::{Clip, Model, Point2, Point3, View, World},
     target::Target,
 };
 pub use bounds::Bounds;
@@ -327,10 +327,10 @@ where
     T: Target<Color = S::Color>,
 {
     let project = |vertex: &ClipVertex<S::Attributes>| {
-        let ScreenPoint { position, depth } = surface.viewport.project(&vertex.point);
+        let ScreenPoint { position, depth } = surface.project(&vertex.point);
         (position, depth << 7, (vertex.point.w, vertex.attributes))
     };
-    let start = inward_corner(polygon, surface.viewport, triangle.side);
+    let start = inward_corner(polygon.iter().map(|vertex| surface.project(&vertex.point).position), triangle.side);
     let mut corners = polygon.iter().cycle().skip(start).take(polygon.len()).map(project);
     let Some((first, mut second)) = corners.next().zip(corners.next()) else { return Ok(()) };
     for third in corners {
@@ -351,8 +351,7 @@ where
 
 /// The corner that a fan begins at. Rounded to sixteenths of a pixel, a corner of almost 180 degrees may point inwards:
 /// from there all others are seen, from others a triangle would reach over it.
-fn inward_corner<A>(polygon: &[ClipVertex<A>], viewport: Viewport, side: Side) -> usize {
-    let places = polygon.iter().map(|vertex| viewport.project(&vertex.point).position);
+fn inward_corner(places: impl Iterator<Item = Point2> + Clone, side: Side) -> usize {
     let (here, next) = (places.clone().cycle().skip(1), places.clone().cycle().skip(2));
     let turns = places.zip(here).zip(next).map(|((before, here), next)| match side {
         Side::Front => signed_area(before, here, next),
