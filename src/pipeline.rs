@@ -5,6 +5,9 @@
 //!           each vertex once             each triangle ……………………………… each pixel
 //! ```
 //!
+//! [`draw_mesh`] fills faces, by any [`Shading`]; [`draw_wireframe`] draws their edges. Both take the same [`Instance`]s, which
+//! planes may [cut](Instance::with_planes) and [bounds](Instance::with_bounds) may leave out as a whole.
+//!
 //! The only module that knows more than one stage. Each function here is one arrow.
 
 mod bounds;
@@ -78,7 +81,29 @@ impl<'a, S, B> Instance<'a, S, B> {
 
     /// The same, cut by planes.
     ///
-    /// Whatever is cut is open: draw [both sides](Faces::Both) of it, or its inside is not seen.
+    /// Whatever is cut is open: draw [both sides](Faces::Both) of it, or its inside is not seen. Planes cut pixels, depths,
+    /// edges and all that is carried alike. Each vertex is transformed once more, and compared with each plane.
+    ///
+    /// ```
+    /// use aquatint::{HalfSpace, Matrix, Scalar, Vector3, World, geometry::face::Faces, pipeline::Instance};
+    /// # use aquatint::{Angle, Rect, View, geometry::{projection::Lens, viewport::Viewport}, pipeline::Camera};
+    /// # let one = Scalar::ONE;
+    /// # let lens = Lens { field_of_view: Angle::from_degrees(40.0), aspect: one, near: one, far: one * 8 };
+    /// # let camera = Camera {
+    /// #     view: Matrix::<World, View>::translation(Scalar::ZERO, Scalar::ZERO, one * -3),
+    /// #     projection: Matrix::perspective(lens).unwrap(),
+    /// #     viewport: Viewport::new(Rect::new(0, 0, 64, 64)).unwrap(),
+    /// # };
+    /// use aquatint::model::solids::CUBE;
+    ///
+    /// // What lies below half the height.
+    /// let down = Vector3::new(Scalar::ZERO, -Scalar::ONE, Scalar::ZERO);
+    /// let below = HalfSpace::<World>::new(down, Scalar::from_num(0.5))?;
+    /// let planes = [camera.clip_plane(&below).expect("a camera")];
+    /// let mut bowl = Instance::new(CUBE, Matrix::IDENTITY).with_planes(&planes);
+    /// bowl.material.faces = Faces::Both;
+    /// # Ok::<(), aquatint::OutOfRange>(())
+    /// ```
     #[must_use]
     pub fn with_planes(self, planes: &'a [ClipPlane]) -> Self {
         Self { planes, ..self }
@@ -86,6 +111,15 @@ impl<'a, S, B> Instance<'a, S, B> {
 
     /// The same with a [sphere](crate::BoundingSphere) or a [box](crate::BoundingBox3) around its mesh. If the camera sees
     /// nothing of that, no vertex is looked at.
+    ///
+    /// ```
+    /// use aquatint::{BoundingSphere, Matrix, Model, Point3, model::solids::CUBE, pipeline::Instance};
+    ///
+    /// // The built-in solids fit the unit sphere; a bit more for rounded places.
+    /// let ball = BoundingSphere::<Model>::new(Point3::ORIGIN, 65_540);
+    /// let cube = Instance::new(CUBE, Matrix::IDENTITY).with_bounds(ball);
+    /// # let _ = cube;
+    /// ```
     #[must_use]
     pub fn with_bounds<C: Bounds>(self, bounds: C) -> Instance<'a, S, C> {
         let Self { mesh, placement, material, planes, .. } = self;
@@ -195,7 +229,7 @@ impl<E: Error + 'static> Error for DrawError<E> {
 /// Give it [`Dithered`](crate::Dithered) on a frame, or any other target of the shading's colour. A target that
 /// is a band of a picture, with a depth buffer of that band, gets the same pixels as the whole.
 ///
-/// Memory: 12 bytes a vertex and those of the depth buffer, lent by the caller; about 1 kB of stack.
+/// Memory: 12 bytes a vertex and those of the depth buffer, lent by the caller; 1 to 2 kB of stack.
 ///
 /// # Errors
 /// [`DrawError`].
