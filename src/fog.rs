@@ -27,7 +27,7 @@ use crate::{
 ///
 /// let dusk = Fog::linear(Scalar::from_num(2), Scalar::from_num(10), Light(20_000))?;
 /// assert_eq!(dusk.over(Light(60_000), Scalar::from_num(1)), Light(60_000));
-/// assert_eq!(dusk.over(Light(60_000), Scalar::from_num(6)), Light(40_000));
+/// assert_eq!(dusk.over(Light(60_000), Scalar::from_num(4)), Light(50_000));
 /// assert_eq!(dusk.over(Light(60_000), Scalar::from_num(11)), Light(20_000));
 /// # Ok::<(), aquatint::geometry::fog::BadFog>(())
 /// ```

@@ -5,6 +5,9 @@
 //!           each vertex once             each triangle ……………………………… each pixel
 //! ```
 //!
+//! [`draw_mesh`] fills faces, by any [`Shading`]; [`draw_wireframe`] draws their edges. Both take the same [`Instance`]s, which
+//! planes may [cut](Instance::with_planes) and [bounds](Instance::with_bounds) may leave out as a whole.
+//!
 //! The only module that knows more than one stage. Each function here is one arrow.
 
 mod bounds;
@@ -35,7 +38,7 @@ use crate::{
         assembly::{Assembly, Face},
         mesh::Mesh,
     },
-    space::{Clip, Model, Point3, View, World},
+    space::{Clip, Model, Point2, Point3, View, World},
     target::Target,
 };
 pub use bounds::Bounds;
@@ -81,7 +84,29 @@ impl<'a, S, B> Instance<'a, S, B> {
 
     /// The same, cut by planes.
     ///
-    /// Whatever is cut is open: draw [both sides](Faces::Both) of it, or its inside is not seen.
+    /// Whatever is cut is open: draw [both sides](Faces::Both) of it, or its inside is not seen. Planes cut pixels, depths,
+    /// edges and all that is carried alike. Each vertex is transformed once more, and compared with each plane.
+    ///
+    /// ```
+    /// use aquatint::{HalfSpace, Matrix, Scalar, Vector3, World, geometry::face::Faces, pipeline::Instance};
+    /// # use aquatint::{Angle, Rect, View, geometry::{projection::Lens, viewport::Viewport}, pipeline::Camera};
+    /// # let one = Scalar::ONE;
+    /// # let lens = Lens { field_of_view: Angle::from_degrees(40.0), aspect: one, near: one, far: one * 8 };
+    /// # let camera = Camera {
+    /// #     view: Matrix::<World, View>::translation(Scalar::ZERO, Scalar::ZERO, one * -3),
+    /// #     projection: Matrix::perspective(lens).unwrap(),
+    /// #     viewport: Viewport::new(Rect::new(0, 0, 64, 64)).unwrap(),
+    /// # };
+    /// use aquatint::model::solids::CUBE;
+    ///
+    /// // What lies below half the height.
+    /// let down = Vector3::new(Scalar::ZERO, -Scalar::ONE, Scalar::ZERO);
+    /// let below = HalfSpace::<World>::new(down, Scalar::from_num(0.5))?;
+    /// let planes = [camera.clip_plane(&below).expect("a camera")];
+    /// let mut bowl = Instance::new(CUBE, Matrix::IDENTITY).with_planes(&planes);
+    /// bowl.material.faces = Faces::Both;
+    /// # Ok::<(), aquatint::OutOfRange>(())
+    /// ```
     #[must_use]
     pub fn with_planes(self, planes: &'a [ClipPlane]) -> Self {
         Self { planes, ..self }
@@ -89,6 +114,15 @@ impl<'a, S, B> Instance<'a, S, B> {
 
     /// The same with a [sphere](crate::BoundingSphere) or a [box](crate::BoundingBox3) around its mesh. If the camera sees
     /// nothing of that, no vertex is looked at.
+    ///
+    /// ```
+    /// use aquatint::{BoundingSphere, Matrix, Model, Point3, model::solids::CUBE, pipeline::Instance};
+    ///
+    /// // The built-in solids fit the unit sphere; a bit more for rounded places.
+    /// let ball = BoundingSphere::<Model>::new(Point3::ORIGIN, 65_540);
+    /// let cube = Instance::new(CUBE, Matrix::IDENTITY).with_bounds(ball);
+    /// # let _ = cube;
+    /// ```
     #[must_use]
     pub fn with_bounds<C: Bounds>(self, bounds: C) -> Instance<'a, S, C> {
         let Self { mesh, placement, material, planes, .. } = self;
@@ -336,10 +370,10 @@ where
     T: Target<Color = S::Color>,
 {
     let project = |vertex: &ClipVertex<S::Attributes>| {
-        let ScreenPoint { position, depth } = surface.viewport.project(&vertex.point);
+        let ScreenPoint { position, depth } = surface.project(&vertex.point);
         (position, depth << 7, (vertex.point.w, vertex.attributes))
     };
-    let start = inward_corner(polygon, surface.viewport, triangle.side);
+    let start = inward_corner(polygon.iter().map(|vertex| surface.project(&vertex.point).position), triangle.side);
     let mut corners = polygon.iter().cycle().skip(start).take(polygon.len()).map(project);
     let Some((first, mut second)) = corners.next().zip(corners.next()) else { return Ok(()) };
     for third in corners {
@@ -360,9 +394,12 @@ where
 
 /// The corner that a fan begins at. Rounded to sixteenths of a pixel, a corner of almost 180 degrees may point inwards:
 /// from there all others are seen, from others a triangle would reach over it.
-fn inward_corner<A>(polygon: &[ClipVertex<A>], viewport: Viewport, side: Side) -> usize {
-    let places = polygon.iter().map(|vertex| viewport.project(&vertex.point).position);
+fn inward_corner(places: impl Iterator<Item = Point2> + Clone, side: Side) -> usize {
     let (here, next) = (places.clone().cycle().skip(1), places.clone().cycle().skip(2));
-    let mut turns = places.zip(here).zip(next).map(|((before, here), next)| face::side(before, here, next));
-    turns.position(|turn| turn.is_some_and(|turn| turn != side)).map_or(0, |before| before.saturating_add(1))
+    let turns = places.zip(here).zip(next).map(|((before, here), next)| match side {
+        Side::Front => signed_area(before, here, next),
+        Side::Back => signed_area(next, here, before),
+    });
+    let most = turns.enumerate().max_by_key(|&(_, inwards)| inwards).filter(|&(_, inwards)| inwards > 0);
+    most.map_or(0, |(before, _)| before.saturating_add(1))
 }

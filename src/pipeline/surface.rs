@@ -10,12 +10,13 @@ use crate::{
     geometry::{
         face::{Faces, Side},
         transform::MeshTransform,
-        viewport::Viewport,
+        viewport::{ScreenPoint, Viewport},
     },
     illumination::Illumination,
     model::mesh::Mesh,
     num::Scalar,
     pipeline::fragments::{DepthBias, MeshTriangle},
+    space::{Clip, Point4},
     vary::Varying,
 };
 
@@ -75,6 +76,12 @@ impl<S: Shading, I: Illumination> Surface<'_, S, I> {
         // There is room: see their capacity. Were there not, nothing would be drawn.
         let polygon = sutherland_hodgman_3d::clip(triangle, spare, self.planes, Volume::GuardBand);
         polygon.map_or(&[], |polygon| polygon.as_slice())
+    }
+
+    /// Perspective divide and viewport, out of line: for what has been clipped.
+    #[inline(never)]
+    pub(super) fn project(&self, point: &Point4<Clip>) -> ScreenPoint {
+        self.viewport.project(point)
     }
 
     /// One of the vertices.

@@ -7,7 +7,7 @@ use crate::{
     },
     colour::Light,
     geometry::viewport::ScreenPoint,
-    num::{Scalar, bits},
+    num::bits,
     space::{Clip, Point2, Point4},
     vary::Varying,
 };
@@ -79,12 +79,17 @@ impl<A: Varying> Homogeneous for ClipVertex<A> {
 }
 
 impl<A: Varying> Cut for ClipVertex<A> {
+    /// Out of line: clippers cut in many places, and seldom.
+    #[inline(never)]
     fn cut(inside: Self, outside: Self, crossing: Crossing) -> Self {
-        let scalar = |a: Scalar, b: Scalar| Scalar::from_bits(crossing.coordinate(a.to_bits(), b.to_bits()));
-        let (a, b) = (inside.point, outside.point);
         Self {
-            point: Point4::new(scalar(a.x, b.x), scalar(a.y, b.y), scalar(a.z, b.z), scalar(a.w, b.w)),
-            attributes: inside.attributes.mixed(outside.attributes, &|a, b| crossing.attribute(a, b)),
+            point: Cut::cut(inside.point, outside.point, crossing),
+            attributes: inside.attributes.mixed(outside.attributes, &|a, b| between(crossing, a, b)),
         }
     }
+}
+
+#[inline(never)]
+fn between(crossing: Crossing, inside: u16, outside: u16) -> u16 {
+    crossing.attribute(inside, outside)
 }

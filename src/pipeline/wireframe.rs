@@ -166,13 +166,18 @@ fn shown<S: LineShading, I: Illumination>(surface: &Surface<'_, S, I>, corners: 
         let [a, b, c] = vertices.each_ref().map(MeshVertex::position);
         return surface.faces.shows(signed_area(a, b, c));
     }
-    // Before the divide it may seem to be the other one: what is left of the triangle tells.
+    shown_by_pieces(surface, corners)
+}
+
+/// Before the divide it may seem to be the other side: what is left of the triangle tells.
+#[inline(never)]
+fn shown_by_pieces<S: LineShading, I: Illumination>(surface: &Surface<'_, S, I>, corners: [u16; 3]) -> Option<Side> {
     let mut polygon = ClippedTriangle::from(
         corners.map(|index| ClipVertex { point: surface.transform.apply(surface.position(index)), attributes: [] }),
     );
     let mut spare = ClippedTriangle::new();
     let [first, rest @ ..] = surface.clipped(&mut polygon, &mut spare) else { return None };
-    let place = |vertex: &ClipVertex<[u16; 0]>| surface.viewport.project(&vertex.point).position;
+    let place = |vertex: &ClipVertex<[u16; 0]>| surface.project(&vertex.point).position;
     let areas = rest.windows(2).map(|pair| match pair {
         [second, third] => signed_area(place(first), place(second), place(third)),
         _ => 0,
@@ -231,7 +236,7 @@ where
     let line = liang_barsky_3d::clip_to((a, b), surface.planes)?;
     let (a, b) = liang_barsky_3d::clip(line, Volume::GuardBand)?;
     let end = |vertex: &ClipVertex<[u16; 1]>| {
-        let ScreenPoint { position, depth } = surface.viewport.project(&vertex.point);
+        let ScreenPoint { position, depth } = surface.project(&vertex.point);
         let [light] = vertex.attributes;
         End { position, depth: depth << 7, light: surface.shading.seen(Light(light), vertex.point.w) }
     };
