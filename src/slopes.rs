@@ -45,7 +45,7 @@ pub struct Slopes {
 }
 
 impl Slopes {
-    /// Of three corners nearer than [`LIMIT`]. One 32-bit division where the triangle is small.
+    /// Of three corners nearer than [`LIMIT`]. One reciprocal where the triangle is small.
     #[inline]
     pub(crate) fn new(&[a, b, c]: &[Point2; 3]) -> Self {
         let to = |p: Point2| (p.x.to_bits().wrapping_sub(a.x.to_bits()), p.y.to_bits().wrapping_sub(a.y.to_bits()));

@@ -5,7 +5,7 @@
 //!
 //! ```text
 //!   column   0       8       16      24
-//!            ÷───────÷───────÷───────÷      one division for all attributes at each ÷
+//!            ÷───────÷───────÷───────÷      one reciprocal for all attributes at each ÷
 //! ```
 //!
 //! The columns are those of the screen, so that a band, a tile and a span of which a part is hidden get the same values. A
@@ -36,7 +36,7 @@ pub struct Perspective<const N: usize> {
 const BLOCK: u32 = 8;
 
 impl<const N: usize> Perspective<N> {
-    /// Of three corners with attributes. Three 32-bit divisions, and two more 64-bit products a corner and attribute.
+    /// Of three corners with attributes. Three reciprocals, and a 64-bit product a corner and attribute.
     #[must_use]
     pub fn new(slopes: &Slopes, corners: &[Placed<[u16; N]>; 3]) -> Self {
         let [a, b, c] = corners;

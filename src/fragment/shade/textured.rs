@@ -9,7 +9,7 @@ use crate::{
     vary::{Plane, Varying},
 };
 
-/// A texture in the light of another shading, right in perspective: one division every eight pixels.
+/// A texture in the light of another shading, right in perspective: one reciprocal every eight pixels.
 ///
 /// The places are those of the mesh; without them, all of it has the colour of one place of the texture.
 ///
