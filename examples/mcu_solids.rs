@@ -17,6 +17,7 @@ use aquatint::{
         shade::{Flat, Gouraud, Plain, Textured},
         texture::{Sampler, Texture},
     },
+    geometry::light::Surface,
     hidden::{convex::Convex, depth::DepthBuffer},
     model::{
         revolved::{Parts, sphere_triangles, vertices},
@@ -35,12 +36,12 @@ const RIGHT: Rect = Rect::new(64, 0, 128, 64);
 /// Sixteen segments around, ten from pole to pole.
 static BALL: Parts<{ vertices(16, 10) }, { sphere_triangles(16, 10) }> = Parts::sphere::<16, 10>();
 
-/// Bricks, 32 × 16 texels of a bit each.
-static BRICKS: [u8; 64] = {
+/// Bricks, 64 × 32 texels of a bit each.
+static BRICKS: [u8; 256] = {
     let rows = [0b1110_1111, 0b1110_1111, 0b1110_1111, 0, 0b1111_1110, 0b1111_1110, 0b1111_1110, 0];
-    let (mut bytes, mut at) = ([0; 64], 0);
+    let (mut bytes, mut at) = ([0; 256], 0);
     while at < bytes.len() {
-        bytes[at] = rows[at / 4 % 8];
+        bytes[at] = rows[at / 8 % 8];
         at += 1;
     }
     bytes
@@ -75,13 +76,13 @@ fn draw(memory: &mut Memory, number: u16) -> Option<()> {
 
 /// Convex, so it needs no depth.
 fn ball(light: &mut impl Target<Color = Light>, vertices: &mut [MeshVertex], number: u16) -> Option<()> {
-    let texture = Texture::new(&BRICKS, 32, 16, &MORTAR_AND_BRICK).ok()?;
+    let texture = Texture::new(&BRICKS, 64, 32, &MORTAR_AND_BRICK).ok()?;
     let shading = Textured::new(Sampler::new(texture), Gouraud);
     let ball = Instance::new(BALL.mesh().ok()?, scene::placement(number)).with_material(Material::new(shading));
     draw_mesh(&ball, &scene::scene(LEFT)?, &mut Workspace { vertices, hidden: &mut Convex }, light).ok()
 }
 
-/// Flat faces, and white lines on them.
+/// Flat grey faces, and white lines on them.
 fn dodecahedron(
     light: &mut impl Target<Color = Light>,
     (vertices, depths): (&mut [MeshVertex], &mut [u16]),
@@ -91,7 +92,8 @@ fn dodecahedron(
     let mut depth = DepthBuffer::new(depths, RIGHT).ok()?;
     let mut workspace = Workspace { vertices, hidden: &mut depth };
     let solid = Instance::new(DODECAHEDRON, placement);
-    let faces = solid.with_material(Material { bias: DepthBias::BEHIND_LINES, ..Material::new(Flat) });
+    let (bias, surface) = (DepthBias::BEHIND_LINES, Surface { diffuse: 28_000, ..Surface::MATTE });
+    let faces = solid.with_material(Material { bias, surface, ..Material::new(Flat) });
     draw_mesh(&faces, &scene, &mut workspace, light).ok()?;
     let edges = solid.with_material(Material::new(Plain(Light::WHITE)));
     draw_wireframe(&edges, &scene, &mut workspace, light).ok()

@@ -1,7 +1,10 @@
 //! Which pixels, in floating point.
 
 use super::*;
-use aquatint::{fragment::shade::Plain, geometry::face::Faces};
+use aquatint::{
+    fragment::shade::{Plain, Stippled},
+    geometry::face::Faces,
+};
 use proptest::prelude::*;
 
 const VIEW: Rect = Rect::new(0, 0, 64, 48);
@@ -188,4 +191,32 @@ fn a_bias_brings_lines_to_the_front_or_pushes_them_back() {
     // What lies outside of the faces is seen even so.
     assert!(on(DepthBias { constant: -3000, slope: -1 }) < all / 2);
     assert!(on(DepthBias::NONE) < all);
+}
+
+#[test]
+fn what_is_not_painted_hides_all_the_same() {
+    let scene = scene(VIEW);
+    let cube = Instance { placement: turned(20.0, 30.0), ..solid() };
+    let depths = |draw: &dyn Fn(&mut Workspace<'_, DepthBuffer<'_>>)| {
+        let mut memory = vec![0_u16; 64 * 48];
+        let mut depth = DepthBuffer::new(&mut memory, VIEW).expect("enough");
+        with_workspace(&mut depth, |workspace| draw(workspace));
+        memory
+    };
+    let painted = depths(&|workspace| {
+        draw_mesh(&cube, &scene, workspace, &mut Canvas::new(VIEW)).expect("drawn");
+    });
+    assert!(painted.iter().filter(|&&depth| depth > 0).count() > 500);
+    let unpainted = depths(&|workspace| {
+        draw_mesh(&cube, &scene, workspace, &mut Unpainted::new()).expect("drawn");
+    });
+    assert_eq!(unpainted, painted);
+    // Pixels that are left out hide nothing, here either.
+    let stippled = cube.with_material(Material::new(Stippled::new(Plain(()), [0xAA, 0x55])));
+    let half = depths(&|workspace| {
+        draw_mesh(&stippled, &scene, workspace, &mut Unpainted::new()).expect("drawn");
+    });
+    for (at, (half, painted)) in (0..).zip(half.iter().zip(&painted)) {
+        assert_eq!(*half, if (at / 64 + at % 64) % 2 == 0 { *painted } else { 0 }, "{at}");
+    }
 }
