@@ -30,10 +30,20 @@ pub struct Perspective<const N: usize> {
     over_w: Plane<N>,
     /// One over `w`, 2³⁰ at the nearest corner.
     one_over_w: Plane<1>,
+    /// The least one over `w` at which a block may begin or end.
+    horizon: u32,
 }
 
 /// Columns from division to division.
 const BLOCK: u32 = 8;
+
+/// One over `w` of what is 16,384 times as far as the nearest corner: beyond, or behind the eye, no block begins or ends,
+/// because what has been rounded is no small part of it any more.
+const HORIZON: u32 = 1 << 16;
+
+/// What changes less than this from pixel to pixel keeps to its 32 bits where a block begins or ends, up to eight pixels
+/// outside of the triangle. In slivers that are steeper each pixel is divided by itself.
+const STEEP: u32 = 1 << 27;
 
 impl<const N: usize> Perspective<N> {
     /// Of three corners with attributes. Three reciprocals, and a 64-bit product a corner and attribute.
@@ -57,11 +67,10 @@ impl<const N: usize> Perspective<N> {
             index += 1;
             over_w
         });
-        Self {
-            least: least.map(to_16_15),
-            over_w: slopes.fine_plane(&over_w),
-            one_over_w: slopes.fine_plane(&one_over_w.map(|value| [value])),
-        }
+        let (over_w, one_over_w) = (slopes.fine_plane(&over_w), slopes.fine_plane(&one_over_w.map(|value| [value])));
+        let is_steep = |step: &u32| step.cast_signed().unsigned_abs() >= STEEP;
+        let horizon = if over_w.across.iter().chain(&one_over_w.across).any(is_steep) { u32::MAX } else { HORIZON };
+        Self { least: least.map(to_16_15), over_w, one_over_w, horizon }
     }
 
     /// The attributes from a pixel on to the right, as 16.15 numbers.
@@ -78,8 +87,9 @@ impl<const N: usize> Perspective<N> {
         let into = bits(column) % BLOCK;
         let first = column.wrapping_sub(into.cast_signed());
         let (over_w, one_over_w) = (self.over_w.at(row, first), self.one_over_w.at(row, first));
-        let mut blocks = Blocks { least: self.least, over_w, one_over_w, into, start: None, scale };
-        blocks.start = blocks.divided();
+        let mut blocks =
+            Blocks { least: self.least, over_w, one_over_w, horizon: self.horizon, into, start: None, scale };
+        blocks.start = blocks.divided(blocks.horizon);
         PerspectiveRun { blocks, block: Block { values: [0; N], steps: [0; N], left: 0, by_pixel: false } }
     }
 }
@@ -116,6 +126,7 @@ struct Blocks<const N: usize> {
     /// Where the next block begins, or the pixel that is next of one that is divided pixel by pixel.
     over_w: Ramp<N>,
     one_over_w: Ramp<1>,
+    horizon: u32,
     /// Pixels of the first block that lie before the run.
     into: u32,
     /// The values where the next block begins.
@@ -130,10 +141,10 @@ impl<const N: usize> Blocks<N> {
         let into = core::mem::take(&mut self.into);
         self.over_w.leave_out(BLOCK);
         self.one_over_w.leave_out(BLOCK);
-        let end = self.divided();
+        let end = self.divided(self.horizon);
         let start = core::mem::replace(&mut self.start, end);
         let mut block = Block { values: [0; N], steps: [0; N], left: BLOCK - into, by_pixel: false };
-        if let (Some(start), Some(end)) = (start, end) {
+        if let Some((start, end)) = start.zip(end).filter(|(start, end)| is_way(start, end)) {
             block.values = start;
             for ((value, step), end) in block.values.iter_mut().zip(&mut block.steps).zip(end) {
                 *step = bits(end.wrapping_sub(*value).cast_signed() >> BLOCK.ilog2());
@@ -156,20 +167,19 @@ impl<const N: usize> Blocks<N> {
     #[cold]
     #[inline(never)]
     fn next_pixel(&mut self, left: u32) -> [u32; N] {
-        let values = self.divided().unwrap_or(self.least);
+        let values = self.divided(1 << 8).unwrap_or_else(|| self.scaled(self.least));
         self.leave_out(1);
         if left == 0 {
-            self.start = self.divided();
+            self.start = self.divided(self.horizon);
         }
         values
     }
 
     /// The attributes where the next block begins; `None` where the division is out of range, outside of the triangle.
     #[inline]
-    fn divided(&self) -> Option<[u32; N]> {
+    fn divided(&self, least: u32) -> Option<[u32; N]> {
         let [over] = self.one_over_w.fine();
-        // At least 2²² times nearer than the eye plane is the nearest corner: beyond are horizon and sky.
-        if !(1 << 8..1 << 31).contains(&over) {
+        if !(least..1 << 31).contains(&over) {
             return None;
         }
         // over / 2³¹ inverted is inverse · 2^shift / 2³².
@@ -177,20 +187,35 @@ impl<const N: usize> Blocks<N> {
         let mut values = self.least;
         for (value, part) in values.iter_mut().zip(self.over_w.fine()) {
             // Outside of the triangle a part may be negative, or greater than the whole.
-            if part.cast_signed().unsigned_abs() >= over << 1 {
+            if part.cast_signed().unsigned_abs() > over {
                 return None;
             }
             // Halved, so that it keeps its sign; there is always a zero to shift out of a number below 2³¹.
             let quotient = multiply_high((part.cast_signed() >> 1) << shift.saturating_sub(1), inverse) << 2;
             *value = value.wrapping_add(bits(quotient));
+            // Beyond the range of attributes, or below.
+            if *value >> 31 != 0 {
+                return None;
+            }
         }
+        Some(self.scaled(values))
+    }
+
+    /// Attributes as they are asked for.
+    #[inline]
+    fn scaled(&self, mut values: [u32; N]) -> [u32; N] {
         if let Some(scale) = self.scale {
             for (value, right) in values.iter_mut().zip(scale) {
                 *value = bits((value.cast_signed().wrapping_sub(1 << 30) << 1) >> right);
             }
         }
-        Some(values)
+        values
     }
+}
+
+/// Whether from start to end is less than all that a number may be: with more it would be taken for the other way round.
+fn is_way<const N: usize>(start: &[u32; N], end: &[u32; N]) -> bool {
+    start.iter().zip(end).all(|(start, end)| end.cast_signed().checked_sub(start.cast_signed()).is_some())
 }
 
 impl<const N: usize> Iterator for PerspectiveRun<N> {
