@@ -3,7 +3,8 @@
 use core::convert::Infallible;
 
 use aquatint::{
-    Angle, Code, Dithered, Frame, Levels, Light, Matrix, Model, Pages, Point3, Rect, Rows, Target, Vector3, Window, World,
+    Angle, Code, Dithered, Frame, Levels, Light, Matrix, Model, Pages, Point3, Rect, Rows, Target, Vector3, Window,
+    World,
     display::layout::Layout,
     fragment::{
         shade::{Corner, Flat, Gouraud, Mapped, Phong, Shader, Shading, Stippled, Textured, Unlit},
@@ -68,8 +69,12 @@ fn lights() -> Lights<2> {
 }
 
 /// Draws what lies in the window of both the target and the depths.
-fn draw<S: Shading<Color = Light>, T: Target<Error = Infallible>>(shading: S, levels: Levels<'_>, window: Rect, target: &mut T)
-where
+fn draw<S: Shading<Color = Light>, T: Target<Error = Infallible>>(
+    shading: S,
+    levels: Levels<'_>,
+    window: Rect,
+    target: &mut T,
+) where
     T::Color: Code,
 {
     let shape = shape();

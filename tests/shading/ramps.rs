@@ -82,24 +82,32 @@ fn check<C: Code, L: Layout<C>, M: Mask + Copy>((runs, mask, levels): Case<'_, M
 
 /// From its first pixel to its last a ramp is between its ends: steep, slow, rising, falling, level; ends that are levels.
 fn lit() -> impl Strategy<Value = Lit> {
-    let end = || prop_oneof![any::<u16>(), Just(0), Just(u16::MAX), Just(20_000), Just(20_001), Just(21_845), 0..400_u16];
+    let end =
+        || prop_oneof![any::<u16>(), Just(0), Just(u16::MAX), Just(20_000), Just(20_001), Just(21_845), 0..400_u16];
     let more = prop_oneof![Just(0_u16), 0..20_u16, 0..400_u16, 0..30_000_u16];
-    (run(), [end(), end()], more, any::<u16>(), any::<bool>()).prop_map(|((row, columns), mut ends, more, at, is_level)| {
-        if is_level && at % 3 == 0 {
-            ends[1] = ends[0].saturating_add(at % 64);
-        }
-        let length = i32::try_from(columns.len()).expect("short").max(1);
-        let before = usize::from(at) % (usize::from(more) + 1);
-        Lit { row, columns, ends, pixels: length + i32::from(more), before }
-    })
+    (run(), [end(), end()], more, any::<u16>(), any::<bool>()).prop_map(
+        |((row, columns), mut ends, more, at, is_level)| {
+            if is_level && at % 3 == 0 {
+                ends[1] = ends[0].saturating_add(at % 64);
+            }
+            let length = i32::try_from(columns.len()).expect("short").max(1);
+            let before = usize::from(at) % (usize::from(more) + 1);
+            Lit { row, columns, ends, pixels: length + i32::from(more), before }
+        },
+    )
 }
 
 static FIVE: [u16; 5] = linear_levels();
 
 /// Levels of 1, 2 and 4 bits, even and uneven.
 fn levels() -> impl Strategy<Value = Levels<'static>> {
-    const UNEVEN: [&[u16]; 5] =
-        [&[5_000, 60_000], &[0, 1], &[65_534, 65_535], &[100, 20_000, 20_001, 65_000], &[0, 3, 9, 27, 81, 243, 729, 2_187]];
+    const UNEVEN: [&[u16]; 5] = [
+        &[5_000, 60_000],
+        &[0, 1],
+        &[65_534, 65_535],
+        &[100, 20_000, 20_001, 65_000],
+        &[0, 3, 9, 27, 81, 243, 729, 2_187],
+    ];
     let of = |lights: &'static [u16]| Levels::new(lights).expect("rising");
     prop::sample::select(vec![
         Levels::ONE_BIT,

@@ -4,8 +4,8 @@
 use core::{convert::Infallible, ops::Range};
 
 use aquatint::{
-    BAYER_8X8, BLUE_NOISE_64, Code, Columns, Dithered, Frame, Inverted, Levels, Light, LsbFirst, MsbFirst, OnDrawTarget,
-    Pages, Planes, R2Noise, Rect, Rows, Target, Window,
+    BAYER_8X8, BLUE_NOISE_64, Code, Columns, Dithered, Frame, Inverted, Levels, Light, LsbFirst, MsbFirst,
+    OnDrawTarget, Pages, Planes, R2Noise, Rect, Rows, Target, Window,
     display::{
         dither::{Mask, Method},
         layout::Layout,
@@ -28,7 +28,12 @@ impl<T: Target> Target for Least<'_, T> {
         self.0.bounds()
     }
 
-    fn fill_run<const N: usize>(&mut self, row: i32, columns: Range<i32>, colors: [T::Color; N]) -> Result<(), T::Error> {
+    fn fill_run<const N: usize>(
+        &mut self,
+        row: i32,
+        columns: Range<i32>,
+        colors: [T::Color; N],
+    ) -> Result<(), T::Error> {
         self.0.fill_run(row, columns, colors)
     }
 
@@ -107,7 +112,12 @@ impl Verbs {
         let mut bytes = bytes.iter().copied().cycle();
         let mut next = || bytes.next().expect("one at least");
         let Ok(()) = match verb {
-            0 => target.write_bits(*row, columns.clone(), [T::Color::from_code(next()), T::Color::from_code(next())], next),
+            0 => target.write_bits(
+                *row,
+                columns.clone(),
+                [T::Color::from_code(next()), T::Color::from_code(next())],
+                next,
+            ),
             1 => target.write_all(*row, columns.clone(), core::iter::repeat_with(|| T::Color::from_code(next()))),
             _ => target.set(*row, columns.start, T::Color::from_code(next())),
         };
@@ -133,8 +143,12 @@ pub fn run() -> impl Strategy<Value = (i32, Range<i32>)> {
 }
 
 fn verbs() -> impl Strategy<Value = Verbs> {
-    (run(), prop::collection::vec(any::<u8>(), 1..9), 0..3_u8)
-        .prop_map(|((row, columns), bytes, verb)| Verbs { row, columns, bytes, verb })
+    (run(), prop::collection::vec(any::<u8>(), 1..9), 0..3_u8).prop_map(|((row, columns), bytes, verb)| Verbs {
+        row,
+        columns,
+        bytes,
+        verb,
+    })
 }
 
 proptest! {
