@@ -29,10 +29,15 @@ pub struct Perspective<const N: usize> {
     over_w: Plane<N>,
     /// One over `w`, 2³⁰ at the nearest corner.
     one_over_w: Plane<1>,
+    /// Whether one of these goes around within a block: beside a triangle of few pixels, seen almost from its edge.
+    is_steep: bool,
 }
 
 /// Columns from division to division.
 const BLOCK: u32 = 8;
+
+/// What changes by less from column to column stays within 2³¹ over a block that a pixel of the triangle is in.
+const STEEP: u32 = 1 << 27;
 
 impl<const N: usize> Perspective<N> {
     /// Of three corners with attributes. Three 32-bit divisions, and two more 64-bit products a corner and attribute.
@@ -56,11 +61,11 @@ impl<const N: usize> Perspective<N> {
             index += 1;
             over_w
         });
-        Self {
-            least: least.map(to_16_15),
-            over_w: slopes.fine_plane(&over_w),
-            one_over_w: slopes.fine_plane(&one_over_w.map(|value| [value])),
-        }
+        let over_w = slopes.fine_plane(&over_w);
+        let one_over_w = slopes.fine_plane(&one_over_w.map(|value| [value]));
+        let is_steep = |step: u32| step.cast_signed().unsigned_abs() >= STEEP;
+        let is_steep = over_w.at(0, 0).steps().into_iter().chain(one_over_w.at(0, 0).steps()).any(is_steep);
+        Self { least: least.map(to_16_15), over_w, one_over_w, is_steep }
     }
 
     /// The attributes from a pixel on to the right, as 16.15 numbers.
@@ -89,7 +94,7 @@ impl<const N: usize> Perspective<N> {
         let mut values = self.least;
         for (value, part) in values.iter_mut().zip(parts) {
             // Outside of the triangle a part may be negative, or greater than the whole.
-            let part = (part.cast_signed()).checked_mul(1 << shift).filter(|part| part.unsigned_abs() < 2 * over)?;
+            let part = (part.cast_signed()).checked_mul(1 << shift).filter(|part| part.unsigned_abs() < over)?;
             *value = value.wrapping_add(bits((part >> 14).wrapping_mul(inverse.cast_signed()) << 1));
         }
         Some(values)
@@ -118,6 +123,15 @@ pub struct PerspectiveRun<'p, const N: usize> {
 }
 
 impl<const N: usize> PerspectiveRun<'_, N> {
+    /// Whether from start to end is less than all that a number may be: with more it would be taken for the other way round.
+    fn is_way(&self, start: &[u32; N], end: &[u32; N]) -> bool {
+        let mut ends = start.iter().zip(end).zip(self.plane.least);
+        ends.all(|((start, end), least)| {
+            let above = |value: &u32| value.wrapping_sub(least).cast_signed();
+            above(end).checked_sub(above(start)).is_some()
+        })
+    }
+
     /// Begins the block that a column is in, or a block of one pixel where that is divided by itself.
     #[inline(never)]
     fn begin(&mut self) {
@@ -125,7 +139,9 @@ impl<const N: usize> PerspectiveRun<'_, N> {
         let first = self.column.wrapping_sub(into.cast_signed());
         let start = self.next.take().or_else(|| self.plane.divided(self.row, first));
         let end = self.plane.divided(self.row, first.wrapping_add(BLOCK.cast_signed()));
-        if let (Some(start), Some(end)) = (start, end) {
+        if let Some((start, end)) =
+            start.zip(end).filter(|(start, end)| !self.plane.is_steep && self.is_way(start, end))
+        {
             (self.values, self.next) = (start, Some(end));
             for ((value, step), end) in self.values.iter_mut().zip(&mut self.steps).zip(end) {
                 *step = bits(end.wrapping_sub(*value).cast_signed() >> BLOCK.ilog2());
