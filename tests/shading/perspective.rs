@@ -189,7 +189,7 @@ proptest! {
                 let exact = off(arrived.exact[axis]);
                 let error = arrived.chord.map_or(exact, |chord| exact.min(off(chord[axis])));
                 // Half a texel, and a part of the reach of the coordinates: slivers are the worst.
-                let most = arrived.spread * (32.0 + reach / 1_024.0);
+                let most = arrived.spread * (8.0 + reach / 4_096.0);
                 // Ends that are as far off as this are out of range, and which of both ways was taken is not known here.
                 prop_assert!(error <= most || arrived.spread > 1_000.0, "{:?}, axis {}: {} of {}, {}", arrived, axis, error, most, reach);
             }
