@@ -204,7 +204,7 @@ mod tests {
     fn bytes_give_the_light_of_long_normals() {
         let lamp = lamp(0.3, -0.7, 0.2).in_model_space(&Matrix::rotation_x(Angle(12_345)));
         for i in 0..2_097_152_u32 {
-            let [x, y, z, _] = (i.wrapping_mul(2_654_435_769)).to_le_bytes().map(|byte| byte.cast_signed());
+            let [x, y, z, _] = (i.wrapping_mul(2_654_435_769)).to_le_bytes().map(u8::cast_signed);
             assert_eq!(lamp.on_vertex([0; 3], [x, y, z]), lamp.on([0; 3], [x, y, z].map(|v| i16::from(v) * 129)));
         }
     }

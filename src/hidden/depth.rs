@@ -26,13 +26,14 @@ pub trait Depth: Copy {
     fn from_fine(fine: u32) -> Self;
 }
 
-/// 256 depths: enough for solids that stand apart.
+/// 255 depths: enough for solids that stand apart.
 impl Depth for u8 {
     const FARTHEST: Self = 0;
 
     #[inline]
     fn from_fine(fine: u32) -> Self {
-        low_u8(fine >> (FRACTION_16_15 + 8))
+        // 1 to 255, so that the far plane is not behind everything.
+        low_u8((fine - (fine >> 8)) >> (FRACTION_16_15 + 8)).saturating_add(1)
     }
 }
 
@@ -353,14 +354,14 @@ mod tests {
     }
 
     /// The parts of a row of stored depths that are seen at a constant depth of 5, and what is stored then.
-    fn seen<F: DepthFunction>(function: F) -> (Vec<Range<i32>, 6>, [u16; 6]) {
+    fn seen<F: DepthFunction>(function: F) -> (Vec<(i32, i32), 6>, [u16; 6]) {
         let mut memory = [0; 6];
         let mut buffer = DepthBuffer::new(&mut memory, Rect::new(0, 0, 6, 1)).unwrap().with_test(function);
         buffer.run(0, 0..6).unwrap().copy_from_slice(&[4, 5, 6, 6, 4, 4]);
         let mut parts = Vec::new();
         let level = Ramp::new([5 << FRACTION_16_15], [0]);
-        let take = |part| {
-            parts.push(part).unwrap();
+        let take = |part: Range<i32>| {
+            parts.push((part.start, part.end)).unwrap();
             Ok::<(), ()>(())
         };
         buffer.split(0, 0..6, level.clone(), take).unwrap();
@@ -369,27 +370,28 @@ mod tests {
         let mut buffer = DepthBuffer::new(&mut memory, Rect::new(0, 0, 6, 1)).unwrap().with_test(function);
         buffer.run(0, 0..6).unwrap().copy_from_slice(&[4, 5, 6, 6, 4, 4]);
         let passed: Vec<_, 6> = buffer.filter(0, 0..6, level, (0..6).map(Some)).flatten().collect();
-        assert_eq!(passed, parts.iter().cloned().flatten().collect::<Vec<_, 6>>(), "both ways agree");
+        assert_eq!(passed, parts.iter().flat_map(|&(start, end)| start..end).collect::<Vec<_, 6>>(), "both ways agree");
         assert_eq!(memory, by_parts);
         (parts, memory)
     }
 
     #[test]
     fn every_test_lets_pass_what_it_says() {
-        assert_eq!(seen(Nearer), (Vec::from_iter([0..1, 4..6]), [5, 5, 6, 6, 5, 5]));
+        assert_eq!(seen(Nearer), (Vec::from_iter([(0, 1), (4, 6)]), [5, 5, 6, 6, 5, 5]));
         assert_eq!(seen(DepthTest::Nearer), seen(Nearer));
         assert_eq!(seen(DepthTest::Never), (Vec::from_iter([]), [4, 5, 6, 6, 4, 4]));
-        assert_eq!(seen(DepthTest::NotFarther), (Vec::from_iter([0..2, 4..6]), [5, 5, 6, 6, 5, 5]));
-        assert_eq!(seen(DepthTest::Equal), (Vec::from_iter([1..2]), [4, 5, 6, 6, 4, 4]));
-        assert_eq!(seen(DepthTest::NotEqual), (Vec::from_iter([0..1, 2..6]), [5; 6]));
-        assert_eq!(seen(DepthTest::Farther), (Vec::from_iter([2..4]), [4, 5, 5, 5, 4, 4]));
-        assert_eq!(seen(DepthTest::NotNearer), (Vec::from_iter([1..4]), [4, 5, 5, 5, 4, 4]));
-        assert_eq!(seen(DepthTest::Always), (Vec::from_iter([0..6]), [5; 6]));
+        assert_eq!(seen(DepthTest::NotFarther), (Vec::from_iter([(0, 2), (4, 6)]), [5, 5, 6, 6, 5, 5]));
+        assert_eq!(seen(DepthTest::Equal), (Vec::from_iter([(1, 2)]), [4, 5, 6, 6, 4, 4]));
+        assert_eq!(seen(DepthTest::NotEqual), (Vec::from_iter([(0, 1), (2, 6)]), [5; 6]));
+        assert_eq!(seen(DepthTest::Farther), (Vec::from_iter([(2, 4)]), [4, 5, 5, 5, 4, 4]));
+        assert_eq!(seen(DepthTest::NotNearer), (Vec::from_iter([(1, 4)]), [4, 5, 5, 5, 4, 4]));
+        assert_eq!(seen(DepthTest::Always), (Vec::from_iter([(0, 6)]), [5; 6]));
     }
 
     #[test]
     fn depths_are_the_upper_bits() {
         let fine = (0x1234 << FRACTION_16_15) + 77;
-        assert_eq!((u8::from_fine(fine), u16::from_fine(fine), u32::from_fine(fine)), (0x12, 0x1234, fine));
+        assert_eq!((u8::from_fine(fine), u16::from_fine(fine), u32::from_fine(fine)), (0x13, 0x1234, fine));
+        assert_eq!([0, (1 << 31) - 1].map(u8::from_fine), [1, 255]);
     }
 }

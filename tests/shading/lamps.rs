@@ -141,13 +141,14 @@ fn a_torch_on_a_wall() {
 /// How much of the light each vertex gives back: from half a panel to the other, as light itself.
 #[test]
 fn the_lights_of_vertices() {
-    let mut shape = panel(VIEW, [0.0; 2]);
-    shape.lights = [0x0000, 0xFFFF, 0xFFFF, 0x0000].map(Light).to_vec();
     fn picture<S: Shading<Color = Light>>(shape: &Shape, shading: S) -> String {
         let mut canvas = Canvas::new(VIEW);
         draw(shape, Material::new(shading), &mut Convex, &mut canvas).expect("in range");
         canvas.picture()
     }
+
+    let mut shape = panel(VIEW, [0.0; 2]);
+    shape.lights = [0x0000, 0xFFFF, 0xFFFF, 0x0000].map(Light).to_vec();
     let ramp = "0123456789abcdef\n".repeat(8);
     assert_eq!(picture(&shape, Gouraud), ramp);
     assert_eq!(picture(&shape, Phong), ramp);

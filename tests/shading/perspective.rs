@@ -132,9 +132,10 @@ fn errors(width: i32, ratio: f64) -> [f64; 2] {
     let mut most = [0.0_f64; 2];
     for arrived in canvas.colors.iter().map(|arrived| arrived.expect("the wall fills the view")) {
         let chord = arrived.chord.unwrap_or(arrived.exact);
-        for axis in 0..2 {
-            most[0] = most[0].max((arrived.got[axis] - arrived.exact[axis]).abs() / 64.0);
-            most[1] = most[1].max((arrived.got[axis] - chord[axis]).abs() / 64.0);
+        for ((got, exact), chord) in arrived.got.into_iter().zip(arrived.exact).zip(chord) {
+            let (error, way) = ((got - exact).abs(), (got - chord).abs());
+            // Where it is not on the way, it is divided by itself.
+            most = [most[0].max(error / 64.0), most[1].max(error.min(way) / 64.0)];
         }
     }
     println!("{width} pixels, {ratio} times as far: off by {:.3} texels, by {:.4} from the way", most[0], most[1]);

@@ -104,19 +104,20 @@ fn singular_matrices_draw_nothing_or_say_so() {
 /// A lamp without a direction, and normals of no length, give ambient light.
 #[test]
 fn no_direction_is_dark() {
+    fn picture<S: Shading<Color = Light>>(shape: &Shape, shading: S, scene: &Scene) -> String {
+        let mut canvas = Canvas::new(VIEW);
+        let mut hidden = aquatint::hidden::convex::Convex;
+        crate::common::draw_in(scene, &shape.mesh(), Material::new(shading), (&mut hidden, &mut canvas))
+            .expect("in range");
+        canvas.picture()
+    }
+
     let mut shape = panel(VIEW, [0.0; 2]);
     shape.normals = vec![[0; 3]; 4];
     let nil = Scalar::ZERO;
     let light = Lamp { direction: Vector3::new(nil, nil, nil), ambient: Light(0x3000), diffuse: Light::WHITE };
     for light in [light, Lamp { ambient: Light(0x3000), ..scene(VIEW).light }] {
         let scene = Scene { camera: scene(VIEW).camera, light };
-        fn picture<S: Shading<Color = Light>>(shape: &Shape, shading: S, scene: &Scene) -> String {
-            let mut canvas = Canvas::new(VIEW);
-            let mut hidden = aquatint::hidden::convex::Convex;
-            crate::common::draw_in(scene, &shape.mesh(), Material::new(shading), (&mut hidden, &mut canvas))
-                .expect("in range");
-            canvas.picture()
-        }
         let want = "3333333333333333\n".repeat(8);
         assert_eq!(picture(&shape, Gouraud, &scene), want);
         assert_eq!(picture(&shape, Flat, &scene), want);

@@ -181,10 +181,10 @@ impl<C: Code, M: Mask + Copy> Draw<C> for Lights<'_, M> {
     }
 }
 
-fn check_lights<C: Code, L: Layout<C>, M: Mask + Copy>(
-    (runs, mask, levels): (&[(i32, Range<i32>, Vec<u16>)], M, Levels<'_>),
-    way: u8,
-) {
+/// Rows, columns and the lights there.
+type Runs = [(i32, Range<i32>, Vec<u16>)];
+
+fn check_lights<C: Code, L: Layout<C>, M: Mask + Copy>((runs, mask, levels): (&Runs, M, Levels<'_>), way: u8) {
     let [all, run] = [true, false].map(|all| on_target::<C, L>(way, &Lights { runs, mask, levels, all }));
     assert_eq!(all, run, "{}, way {way}: {runs:?}", core::any::type_name::<L>());
 }

@@ -19,19 +19,19 @@ pub fn random_pose(model: &Model, random: &mut Random) -> Scene {
 }
 
 /// Many poses, each in all of some modes.
-fn poses(model: &Model, count: u32, modes: &[Mode], check: impl Fn(&Picture, &Reference)) {
-    let (mut random, mut judged) = (Random(count), vec![Judged::default(); modes.len()]);
+fn poses(model: &Model, count: u32, all: &[Mode], check: impl Fn(&Picture, &Reference)) {
+    let (mut random, mut judged) = (Random(count), vec![Judged::default(); all.len()]);
     for _ in 0..count {
         let scene = random_pose(model, &mut random);
         let reference = seen(core::slice::from_ref(&scene));
-        for (mode, judged) in modes.iter().zip(&mut judged) {
+        for (mode, judged) in all.iter().zip(&mut judged) {
             let mut picture = Picture::new(VIEW);
             (mode.draw)(core::slice::from_ref(&scene), &mut picture).expect("in range");
             judged.add((mode.judge)(&picture, &reference));
             check(&picture, &reference);
         }
     }
-    for (mode, judged) in modes.iter().zip(judged) {
+    for (mode, judged) in all.iter().zip(judged) {
         println!("{} × {count}, {}: {judged:?}", model.name, mode.name);
         assert!(judged.covered > 300_000 && judged.lights > 100_000, "{judged:?}");
     }

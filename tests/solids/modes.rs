@@ -207,7 +207,8 @@ fn texels(uv: [[f64; 2]; 2], off: [f64; 2]) -> Option<[f64; 2]> {
     let most = [0, 1].map(|axis| texel(uv[0][axis].max(uv[1][axis]) + off[axis]));
     let copy = |texels: [f64; 2]| texels.map(|texel| (texel / 64.0).floor());
     let light = |[u, v]: [f64; 2]| f64::from(STEP) * (u.rem_euclid(64.0) + v.rem_euclid(64.0));
-    (copy(least) == copy(most)).then(|| [light(least), light(most)])
+    let is_one_copy = copy(least).into_iter().zip(copy(most)).all(|(least, most)| (least - most).abs() < 0.5);
+    is_one_copy.then(|| [light(least), light(most)])
 }
 
 /// How far off texture coordinates are at most in our numbers: a sixteenth of a texel of 64.

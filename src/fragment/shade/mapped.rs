@@ -4,7 +4,7 @@ use super::{Corner, Facet, Shading};
 use crate::{illumination::Illumination, num::index, phase::phase};
 
 /// The colours of a shading, each changed by a closure: bands of a cartoon, a tint, a colour of the panel, or
-/// [`Alpha`](crate::Alpha) for a [`Blended`](crate::Blended) target.
+/// [`Alpha`](crate::Alpha) for a [`Blended`](crate::Blended) display, which [`OnDrawTarget`](crate::OnDrawTarget) lends.
 ///
 /// ```
 /// use aquatint::{Alpha, Coverage, Light, fragment::shade::{Gouraud, Mapped}};

@@ -9,9 +9,10 @@
 //! ```
 //!
 //! The columns are those of the screen, so that a band, a tile and a span of which a part is hidden get the same values. A
-//! quotient at such a column may lie outside of the triangle, beyond its horizon even: there each pixel is divided by
-//! itself. Over 64 texels, with the far end four times as far as the near one, a coordinate is off by 0.07 texels at most
-//! on a span of 400 pixels, and by 0.7 on one of 128.
+//! quotient at such a column may lie outside of the triangle, beyond its horizon even: where it is far from what the corners
+//! have, each pixel is divided by itself. Over 64 texels, with the far end four times as far as the near one, a coordinate
+//! is off by 0.09 texels at most on a span of 400 pixels, and by 0.6 on one of 128; the numbers themselves are by 4
+//! of 4096 of a texture.
 
 use super::Placed;
 use crate::{
@@ -26,6 +27,8 @@ use crate::{
 pub struct Perspective<const N: usize> {
     /// The least of the three corners, 16.15.
     least: [u32; N],
+    /// From there to the greatest.
+    reach: [u32; N],
     /// The rest over `w`, in 2⁻¹⁴ of the next.
     over_w: Plane<N>,
     /// One over `w`, 2³⁰ at the nearest corner.
@@ -51,9 +54,10 @@ impl<const N: usize> Perspective<N> {
     pub fn new(slopes: &Slopes, corners: &[Placed<[u16; N]>; 3]) -> Self {
         let [a, b, c] = corners;
         let nearest = a.w.min(b.w).min(c.w).max(LEAST_W);
-        let mut least = a.attributes;
-        for ((least, b), c) in least.iter_mut().zip(b.attributes).zip(c.attributes) {
+        let (mut least, mut reach) = (a.attributes, a.attributes);
+        for (((least, reach), b), c) in least.iter_mut().zip(&mut reach).zip(b.attributes).zip(c.attributes) {
             *least = (*least).min(b).min(c);
+            *reach = (*reach).max(b).max(c) - *least;
         }
         let one_over_w = corners.map(|corner| quotient(nearest, corner.w));
         let mut index = 0_usize;
@@ -70,7 +74,7 @@ impl<const N: usize> Perspective<N> {
         let (over_w, one_over_w) = (slopes.fine_plane(&over_w), slopes.fine_plane(&one_over_w.map(|value| [value])));
         let is_steep = |step: &u32| step.cast_signed().unsigned_abs() >= STEEP;
         let horizon = if over_w.across.iter().chain(&one_over_w.across).any(is_steep) { u32::MAX } else { HORIZON };
-        Self { least: least.map(to_16_15), over_w, one_over_w, horizon }
+        Self { least: least.map(to_16_15), reach: reach.map(to_16_15), over_w, one_over_w, horizon }
     }
 
     /// The attributes from a pixel on to the right, as 16.15 numbers.
@@ -87,9 +91,9 @@ impl<const N: usize> Perspective<N> {
         let into = bits(column) % BLOCK;
         let first = column.wrapping_sub(into.cast_signed());
         let (over_w, one_over_w) = (self.over_w.at(row, first), self.one_over_w.at(row, first));
-        let mut blocks =
-            Blocks { least: self.least, over_w, one_over_w, horizon: self.horizon, into, start: None, scale };
-        blocks.start = blocks.divided(blocks.horizon);
+        let Self { least, reach, horizon, .. } = *self;
+        let mut blocks = Blocks { least, reach, over_w, one_over_w, horizon, into, start: None, scale };
+        blocks.start = blocks.end();
         PerspectiveRun { blocks, block: Block { values: [0; N], steps: [0; N], left: 0, by_pixel: false } }
     }
 }
@@ -123,6 +127,7 @@ struct Block<const N: usize> {
 #[derive(Clone, Debug)]
 struct Blocks<const N: usize> {
     least: [u32; N],
+    reach: [u32; N],
     /// Where the next block begins, or the pixel that is next of one that is divided pixel by pixel.
     over_w: Ramp<N>,
     one_over_w: Ramp<1>,
@@ -141,7 +146,7 @@ impl<const N: usize> Blocks<N> {
         let into = core::mem::take(&mut self.into);
         self.over_w.leave_out(BLOCK);
         self.one_over_w.leave_out(BLOCK);
-        let end = self.divided(self.horizon);
+        let end = self.end();
         let start = core::mem::replace(&mut self.start, end);
         let mut block = Block { values: [0; N], steps: [0; N], left: BLOCK - into, by_pixel: false };
         if let Some((start, end)) = start.zip(end).filter(|(start, end)| is_way(start, end)) {
@@ -167,33 +172,58 @@ impl<const N: usize> Blocks<N> {
     #[cold]
     #[inline(never)]
     fn next_pixel(&mut self, left: u32) -> [u32; N] {
-        let values = self.divided(1 << 8).unwrap_or_else(|| self.scaled(self.least));
+        let values = self.divided().unwrap_or_else(|| self.scaled(self.least));
         self.leave_out(1);
         if left == 0 {
-            self.start = self.divided(self.horizon);
+            self.start = self.end();
         }
         values
     }
 
-    /// The attributes where the next block begins; `None` where the division is out of range, outside of the triangle.
+    /// The attributes where the next block begins; `None` outside of the triangle, where the division is out of range or
+    /// leaves that of the corners by more than a quarter: the way would be bent.
     #[inline]
-    fn divided(&self, least: u32) -> Option<[u32; N]> {
+    fn end(&self) -> Option<[u32; N]> {
+        let ways = self.quotients(self.horizon)?;
+        let mut each = ways.iter().zip(self.reach);
+        let is_near =
+            each.all(|(way, reach)| (-(reach >> 2).cast_signed()..=(reach + (reach >> 2)).cast_signed()).contains(way));
+        if is_near { self.attributes(ways) } else { None }
+    }
+
+    /// The attributes at the next pixel.
+    #[inline]
+    fn divided(&self) -> Option<[u32; N]> {
+        self.attributes(self.quotients(1 << 8)?)
+    }
+
+    /// How far the attributes are from their least, if one over `w` is at least this.
+    #[inline]
+    fn quotients(&self, least: u32) -> Option<[i32; N]> {
         let [over] = self.one_over_w.fine();
         if !(least..1 << 31).contains(&over) {
             return None;
         }
         // over / 2³¹ inverted is inverse · 2^shift / 2³².
         let (inverse, shift) = reciprocal(over);
-        let mut values = self.least;
-        for (value, part) in values.iter_mut().zip(self.over_w.fine()) {
+        let mut quotients = [0; N];
+        for (quotient, part) in quotients.iter_mut().zip(self.over_w.fine()) {
             // Outside of the triangle a part may be negative, or greater than the whole.
             if part.cast_signed().unsigned_abs() > over {
                 return None;
             }
             // Halved, so that it keeps its sign; there is always a zero to shift out of a number below 2³¹.
-            let quotient = multiply_high((part.cast_signed() >> 1) << shift.saturating_sub(1), inverse) << 2;
-            *value = value.wrapping_add(bits(quotient));
-            // Beyond the range of attributes, or below.
+            *quotient = multiply_high((part.cast_signed() >> 1) << shift.saturating_sub(1), inverse) << 2;
+        }
+        Some(quotients)
+    }
+
+    /// Attributes by how far they are from their least; `None` beyond the range of attributes.
+    #[inline]
+    fn attributes(&self, ways: [i32; N]) -> Option<[u32; N]> {
+        let mut values = self.least;
+        for (value, way) in values.iter_mut().zip(ways) {
+            *value = value.wrapping_add(bits(way));
             if *value >> 31 != 0 {
                 return None;
             }

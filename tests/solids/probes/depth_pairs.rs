@@ -79,6 +79,7 @@ fn shares<R: Renderer>(distances: [f64; 2]) -> [f64; 2] {
 
 /// What 8, 16 and 32 bits tell apart, between planes at 0.4 and at 20. Walls at one depth show the one that is drawn first.
 #[test]
+#[expect(clippy::float_cmp, reason = "shares of none and of all are exact")]
 fn more_bits_tell_more_apart() {
     // A 256th: from a tenth of a unit at 3, a third at 6.
     assert_eq!(shares::<Gouraud8>([3.0, 3.15]), [0.0; 2]);
