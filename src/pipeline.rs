@@ -11,13 +11,12 @@
 //! The only module that knows more than one stage. Each function here is one arrow.
 
 mod bounds;
+mod draw_error;
 mod fragments;
 mod surface;
 mod unpainted;
 mod vertex;
 mod wireframe;
-
-use core::{error::Error, fmt};
 
 use heapless::vec::Vec;
 
@@ -42,6 +41,7 @@ use crate::{
     target::Target,
 };
 pub use bounds::Bounds;
+pub use draw_error::DrawError;
 pub use fragments::DepthBias;
 use fragments::{Fragments, MeshTriangle, Piece};
 use surface::Surface;
@@ -190,40 +190,6 @@ pub struct Workspace<'w, H> {
     /// What decides who is in front: a [`DepthBuffer`](crate::hidden::depth::DepthBuffer), shared by all instances of a picture and cleared between
     /// pictures, or [`Convex`](crate::hidden::convex::Convex).
     pub hidden: &'w mut H,
-}
-
-/// Why a mesh was not drawn.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum DrawError<E> {
-    /// The workspace holds fewer vertices than the mesh has. Nothing was drawn.
-    TooFewVertices {
-        /// How many are needed.
-        needed: usize,
-    },
-    /// The instance is cut by more than [`MOST_PLANES`]. Nothing was drawn.
-    TooManyPlanes,
-    /// Placement, view and projection may take a vertex more than 4096 from the origin of clip
-    /// space. Nothing was drawn.
-    OutOfRange,
-    /// The target failed while drawing.
-    Target(E),
-}
-
-impl<E: fmt::Display> fmt::Display for DrawError<E> {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::TooFewVertices { needed } => write!(f, "{needed} vertices are needed"),
-            Self::TooManyPlanes => write!(f, "more than {MOST_PLANES} planes cut an instance"),
-            Self::OutOfRange => OutOfRange.fmt(f),
-            Self::Target(error) => error.fmt(f),
-        }
-    }
-}
-
-impl<E: Error + 'static> Error for DrawError<E> {
-    fn source(&self) -> Option<&(dyn Error + 'static)> {
-        if let Self::Target(error) = self { Some(error) } else { None }
-    }
 }
 
 /// Draws a mesh: transformed, lit, clipped, shaded, hidden surfaces removed.
