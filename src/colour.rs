@@ -100,6 +100,12 @@ impl Light {
         low_u8((self.0 as u32 * 255 + 32_895) >> 16)
     }
 
+    /// What is left of it by a surface that gives back a part of 65535; of all, all.
+    #[inline]
+    pub(crate) const fn reflected(self, part: u16) -> Self {
+        Self(high_u16(self.0 as u32 * (part as u32 + 1)))
+    }
+
     /// The last code that begins at this light or below, by a binary search; `first` does not fall.
     pub(crate) const fn code_in(self, first: &[u16; 256]) -> u8 {
         let (mut code, mut bit) = (0, 0x80_u8);

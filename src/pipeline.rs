@@ -28,7 +28,7 @@ use crate::{
         face::{self, Faces, Side, signed_area},
         light::{Lamp, Lighting, Lit, Surface as Reflectance},
         transform::MeshTransform,
-        viewport::{ScreenPoint, Viewport},
+        viewport::{ScreenPoint, Viewport, fine},
     },
     hidden::Hidden,
     illumination::Illumination,
@@ -216,8 +216,7 @@ where
     T: Target<Color = S::Color>,
 {
     let Some(surface) = prepared(instance, scene, workspace.vertices)? else { return Ok(()) };
-    let bounds = surface.viewport.rect().intersection(workspace.hidden.bounds()).intersection(target.bounds());
-    let mut fragments = Fragments { hidden: workspace.hidden, target, bounds };
+    let mut fragments = Fragments::new(surface.viewport, workspace.hidden, target);
     draw_triangles(&surface, &mut fragments).map_err(DrawError::Target)
 }
 
@@ -271,17 +270,17 @@ where
         _ => (&[][..], Some(surface.mesh.faces())),
     };
     let listed = list.iter().enumerate().map(|(number, &corners)| Face { corners, number });
-    for Face { corners, number: face } in listed.chain(others.into_iter().flatten()) {
-        let [a, b, c] = corners;
+    for face in listed.chain(others.into_iter().flatten()) {
+        let [a, b, c] = face.corners;
         let vertices = [surface.vertex(a), surface.vertex(b), surface.vertex(c)];
         let [a, b, c] = &vertices;
         if !(a.is_projected() && b.is_projected() && c.is_projected()) {
-            draw_clipped(surface, (face, corners), fragments)?;
+            draw_clipped(surface, face, fragments)?;
             continue;
         }
         let (a, b, c) = (a.position(), b.position(), c.position());
         if let Some(side) = surface.faces.shows(signed_area(a, b, c)) {
-            let triangle = MeshTriangle { face, corners, side };
+            let triangle = MeshTriangle { face, side };
             fragments.draw(surface, &triangle, &Piece::of_vertices(&vertices))?;
         }
     }
@@ -298,7 +297,7 @@ type ClippedTriangle<A> = Vec<ClipVertex<A>, { 3 + Plane::ALL.len() + MOST_PLANE
 #[inline(never)]
 fn draw_clipped<S, I, H, T>(
     surface: &Surface<'_, S, I>,
-    (face, corners): (usize, [u16; 3]),
+    face: Face,
     fragments: &mut Fragments<'_, H, T>,
 ) -> Result<(), T::Error>
 where
@@ -310,7 +309,7 @@ where
     // What the corners carry depends on the side that is seen, which only the projected pieces tell.
     for side in [Side::Front, Side::Back] {
         if surface.faces.includes(side) {
-            let triangle = MeshTriangle { face, corners, side };
+            let triangle = MeshTriangle { face, side };
             let carried = surface.corners(&triangle).map(|corner| ClipVertex {
                 point: surface.transform.apply(corner.position),
                 attributes: surface.shading.corner(&corner),
@@ -337,7 +336,7 @@ where
 {
     let project = |vertex: &ClipVertex<S::Attributes>| {
         let ScreenPoint { position, depth } = surface.project(&vertex.point);
-        (position, depth << 7, (vertex.point.w, vertex.attributes))
+        (position, fine(depth), (vertex.point.w, vertex.attributes))
     };
     let start = inward_corner(polygon.iter().map(|vertex| surface.project(&vertex.point).position), triangle.side);
     let mut corners = polygon.iter().cycle().skip(start).take(polygon.len()).map(project);

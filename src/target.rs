@@ -72,7 +72,8 @@ pub trait Target {
 
     /// Writes one colour a pixel from the left, to every pixel.
     ///
-    /// As [`write_run`](Self::write_run), for those that know that no pixel is left out.
+    /// As [`write_run`](Self::write_run), for those that know that no pixel is left out. There is a colour for each pixel;
+    /// what the pixels get for which there is none is not said.
     ///
     /// # Errors
     /// What the display behind says.

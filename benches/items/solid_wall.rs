@@ -6,14 +6,12 @@
 use embedded_graphics::geometry::Size;
 
 /// How much the mesh has to be scaled up.
-#[allow(dead_code, reason = "on the board nobody draws it yet")]
 pub const SCALE: i16 = 4;
 
 /// Texels across and down.
 pub const SIDE: usize = 64;
 
 /// Bottom left, bottom right, top right, top left, and two triangles.
-#[allow(dead_code, reason = "on the board nobody draws it yet")]
 #[derive(Clone, Copy, Debug)]
 pub struct Wall {
     /// In 2.14, a quarter of its size.
@@ -23,7 +21,6 @@ pub struct Wall {
     pub triangles: [[u16; 3]; 2],
 }
 
-#[allow(dead_code, reason = "on the board nobody draws it yet")]
 impl Wall {
     /// The wall that fills a view of this size: its width depends on it.
     #[expect(clippy::cast_possible_truncation, reason = "small numbers")]
@@ -42,7 +39,6 @@ impl Wall {
 }
 
 /// Linear greys, row by row: brighter to the right and downwards, under stripes.
-#[allow(dead_code, reason = "on the board nobody draws it yet")]
 pub static TEXTURE: [u8; SIDE * SIDE] = {
     let mut texels = [0; SIDE * SIDE];
     let mut at: u16 = 0;

@@ -208,12 +208,13 @@ impl<C: PixelColor, L: Layout<C>, B: AsMut<[u8]>> Frame<C, L, B> {
         Rect::of_size(Size::new(self.width, self.height))
     }
 
-    /// Whether a run that is not empty is all inside: four comparisons, because negative numbers are beyond any size
-    /// as unsigned ones.
+    /// The part of a run that is inside, if any is. Most are inside as a whole, which takes three comparisons to
+    /// see: negative numbers are beyond any size as unsigned ones.
     #[inline]
-    const fn holds(&self, row: i32, columns: &Range<i32>) -> bool {
+    fn visible(&self, row: i32, columns: Range<i32>) -> Option<Range<i32>> {
         let (start, end) = (bits(columns.start), bits(columns.end));
-        bits(row) < self.height && end <= self.width && start < end
+        let is_inside = bits(row) < self.height && end <= self.width && start < end;
+        if is_inside { Some(columns) } else { self.rect().clip_run(row, columns) }
     }
 
     /// The picture's bytes from the first line on, for a layout to write.
@@ -246,8 +247,7 @@ impl<C: PixelColor, L: Layout<C>, B: AsMut<[u8]>> Target for Frame<C, L, B> {
     }
 
     fn fill_run<const N: usize>(&mut self, row: i32, columns: Range<i32>, colors: [C; N]) -> Result<(), Infallible> {
-        let visible = if self.holds(row, &columns) { Some(columns) } else { self.rect().clip_run(row, columns) };
-        if let Some(visible) = visible {
+        if let Some(visible) = self.visible(row, columns) {
             let (line, columns) = (index(row), index(visible.start)..index(visible.end));
             if let [color] = *colors.as_slice() {
                 L::fill_solid(self.memory_mut(), line..line + 1, columns, color);
@@ -290,8 +290,7 @@ impl<C: PixelColor, L: Layout<C>, B: AsMut<[u8]>> Target for Frame<C, L, B> {
 
     #[inline]
     fn fill_bits(&mut self, row: i32, columns: Range<i32>, colors: [C; 2], byte: u8) -> Result<(), Infallible> {
-        let visible = if self.holds(row, &columns) { Some(columns) } else { self.rect().clip_run(row, columns) };
-        if let Some(visible) = visible {
+        if let Some(visible) = self.visible(row, columns) {
             let columns = position(bits(visible.start))..position(bits(visible.end));
             L::fill_bits((self.memory_mut(), position(bits(row))), columns, colors, byte);
         }
@@ -306,9 +305,7 @@ impl<C: PixelColor, L: Layout<C>, B: AsMut<[u8]>> Target for Frame<C, L, B> {
         colors: [C; 2],
         mut next: impl FnMut() -> u8,
     ) -> Result<(), Infallible> {
-        let visible =
-            if self.holds(row, &columns) { Some(columns.clone()) } else { self.rect().clip_run(row, columns.clone()) };
-        if let Some(visible) = visible {
+        if let Some(visible) = self.visible(row, columns.clone()) {
             for _ in columns.start >> 3..visible.start >> 3 {
                 next();
             }

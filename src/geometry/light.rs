@@ -14,7 +14,7 @@ use crate::{
     colour::Light,
     illumination::Illumination,
     matrix::Matrix,
-    num::{high_u16, saturate_u16},
+    num::saturate_u16,
     space::{Model, Point3, Vector3, World},
 };
 
@@ -65,12 +65,6 @@ impl Default for Surface {
     }
 }
 
-/// What is left of light by a surface that gives back some part of 65535.
-pub(super) const fn reflected(light: Light, reflectance: u16) -> Light {
-    let light = light.0 as u32;
-    Light(high_u16(light * reflectance as u32 + light))
-}
-
 /// A lamp far away, and the light that is everywhere. It makes no highlights, whatever the surface.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Lamp {
@@ -111,7 +105,7 @@ impl Lighting for Lamp {
 
     fn for_object(&self, object: &Lit<'_>) -> ModelLamp {
         let reflectance = object.surface.diffuse;
-        let (ambient, diffuse) = (reflected(self.ambient, reflectance), reflected(self.diffuse, reflectance));
+        let (ambient, diffuse) = (self.ambient.reflected(reflectance), self.diffuse.reflected(reflectance));
         ModelLamp { ambient, diffuse, ..self.in_model_space(object.placement) }
     }
 }

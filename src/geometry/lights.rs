@@ -20,7 +20,7 @@
 //!
 //! Source: J. F. Blinn, "Models of light reflection for computer synthesized pictures", SIGGRAPH 1977.
 
-use super::light::{Lighting, Lit, Surface, reflected};
+use super::light::{Lighting, Lit, Surface};
 use crate::{
     angle::Angle,
     colour::Light,
@@ -141,7 +141,7 @@ impl<const N: usize> Lighting for Lights<N> {
 
     fn for_object(&self, object: &Lit<'_>) -> ModelLights<N> {
         ModelLights {
-            ambient: reflected(self.ambient, object.surface.diffuse),
+            ambient: self.ambient.reflected(object.surface.diffuse),
             surface: object.surface,
             eye: place(object.placement, object.eye).unwrap_or_default(),
             sources: self.sources.map(|source| ModelSource::new(source, object.placement).unwrap_or(ModelSource::Dark)),
@@ -223,8 +223,8 @@ impl<const N: usize> Illumination for ModelLights<N> {
                 specular = specular.saturating_add(((light >> 2) * highlight) >> 14);
             }
         }
-        let diffuse = reflected(saturated(diffuse), self.surface.diffuse);
-        let specular = reflected(saturated(specular), self.surface.specular);
+        let diffuse = saturated(diffuse).reflected(self.surface.diffuse);
+        let specular = saturated(specular).reflected(self.surface.specular);
         Light(self.ambient.0.saturating_add(diffuse.0).saturating_add(specular.0))
     }
 }

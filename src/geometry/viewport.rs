@@ -13,6 +13,12 @@ pub const NEAREST: u32 = 0xFF_FFFF - FARTHEST;
 /// The depth of the far plane: more than what is behind everything.
 pub const FARTHEST: u32 = 3 << 8;
 
+/// A depth in the 31 bits in which it is carried over a triangle.
+#[inline]
+pub(crate) const fn fine(depth: u32) -> u32 {
+    depth << (31 - 24)
+}
+
 /// A point on the screen, and how near it is.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct ScreenPoint {

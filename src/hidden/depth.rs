@@ -9,6 +9,8 @@
 
 use core::ops::Range;
 
+pub use super::depth_test::{DepthFunction, DepthTest, Nearer, Unstored};
+
 use crate::{
     error::describe,
     hidden::Hidden,
@@ -55,77 +57,6 @@ impl Depth for u32 {
     #[inline]
     fn from_fine(fine: u32) -> Self {
         fine
-    }
-}
-
-/// Which fragments pass, by what is stored at their pixel.
-pub trait DepthFunction: Copy {
-    /// Whether the depths of those that pass are stored.
-    const STORES: bool = true;
-
-    /// Whether a fragment at `depth` is seen where `stored` is the depth so far; greater is nearer.
-    fn passes<D: Depth + Ord>(self, stored: D, depth: D) -> bool;
-}
-
-/// Nearer than what is stored. Strict, so that of two surfaces at the same depth the one drawn first stays.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Nearer;
-
-impl DepthFunction for Nearer {
-    #[inline]
-    fn passes<D: Depth + Ord>(self, stored: D, depth: D) -> bool {
-        depth > stored
-    }
-}
-
-/// The usual tests, chosen while the program runs.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum DepthTest {
-    /// No fragment passes.
-    Never,
-    /// Nearer ones.
-    #[default]
-    Nearer,
-    /// Those at the same depth, too: for a second pass over the same mesh.
-    NotFarther,
-    /// Only those at the same depth.
-    Equal,
-    /// Only those at another depth.
-    NotEqual,
-    /// Farther ones: what is hidden.
-    Farther,
-    /// Farther ones and those at the same depth.
-    NotNearer,
-    /// Every fragment.
-    Always,
-}
-
-impl DepthFunction for DepthTest {
-    #[inline]
-    fn passes<D: Depth + Ord>(self, stored: D, depth: D) -> bool {
-        match self {
-            Self::Never => false,
-            Self::Nearer => depth > stored,
-            Self::NotFarther => depth >= stored,
-            Self::Equal => depth == stored,
-            Self::NotEqual => depth != stored,
-            Self::Farther => depth < stored,
-            Self::NotNearer => depth <= stored,
-            Self::Always => true,
-        }
-    }
-}
-
-/// A test whose depths are not stored.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Unstored<F>(F);
-
-impl<F: DepthFunction> DepthFunction for Unstored<F> {
-    const STORES: bool = false;
-
-    #[inline]
-    fn passes<D: Depth + Ord>(self, stored: D, depth: D) -> bool {
-        self.0.passes(stored, depth)
     }
 }
 
@@ -214,10 +145,15 @@ impl<'b, D: Depth, F> DepthBuffer<'b, D, F> {
     /// The same for a run inside of the window; of others some depths, or none.
     #[inline]
     fn run_inside(&mut self, row: i32, columns: Range<i32>) -> Option<&mut [D]> {
-        let from = |at: i32, border: i32| count(bits(at.wrapping_sub(border)).into());
-        let line = from(row, self.window.top).wrapping_mul(self.width);
-        let start = line.wrapping_add(from(columns.start, self.window.left));
-        self.depths.get_mut(start..start.wrapping_add(from(columns.end, columns.start)))
+        let (start, length) = (self.place(row, columns.start), distance(columns.start, columns.end));
+        self.depths.get_mut(start..start.wrapping_add(length))
+    }
+
+    /// Where the depth of a pixel of the window is.
+    #[inline]
+    fn place(&self, row: i32, column: i32) -> usize {
+        let line = distance(self.window.top, row).wrapping_mul(self.width);
+        line.wrapping_add(distance(self.window.left, column))
     }
 }
 
@@ -232,9 +168,8 @@ impl<D: Depth + Ord, F: DepthFunction> Hidden for DepthBuffer<'_, D, F> {
     fn sees(&mut self, row: i32, column: i32, mut depth: Ramp<1>) -> bool {
         let [fine] = depth.next_fine();
         let (depth, function) = (D::from_fine(fine), self.function);
-        let from = |at: i32, border: i32| count(bits(at.wrapping_sub(border)).into());
-        let line = from(row, self.window.top).wrapping_mul(self.width);
-        let Some(stored) = self.depths.get_mut(line.wrapping_add(from(column, self.window.left))) else { return false };
+        let place = self.place(row, column);
+        let Some(stored) = self.depths.get_mut(place) else { return false };
         let passes = function.passes(*stored, depth);
         if passes && F::STORES {
             *stored = depth;
@@ -289,6 +224,12 @@ impl<D: Depth + Ord, F: DepthFunction> Hidden for DepthBuffer<'_, D, F> {
             Some(color)
         })
     }
+}
+
+/// From a place to one that is not before it; else beyond all memory.
+#[inline]
+const fn distance(from: i32, to: i32) -> usize {
+    count(bits(to.wrapping_sub(from)) as u64)
 }
 
 /// Tests and stores the depths of the first pixels that pass. Gives their number.
@@ -353,11 +294,17 @@ mod tests {
         assert!(DepthBuffer::<u8>::new(&mut [0; 5], endless).is_err());
     }
 
+    /// A row of six depths.
+    fn stored<F: DepthFunction>(memory: &mut [u16; 6], function: F) -> DepthBuffer<'_, u16, F> {
+        let mut buffer = DepthBuffer::new(memory, Rect::new(0, 0, 6, 1)).unwrap().with_test(function);
+        buffer.run(0, 0..6).unwrap().copy_from_slice(&[4, 5, 6, 6, 4, 4]);
+        buffer
+    }
+
     /// The parts of a row of stored depths that are seen at a constant depth of 5, and what is stored then.
     fn seen<F: DepthFunction>(function: F) -> (Vec<(i32, i32), 6>, [u16; 6]) {
         let mut memory = [0; 6];
-        let mut buffer = DepthBuffer::new(&mut memory, Rect::new(0, 0, 6, 1)).unwrap().with_test(function);
-        buffer.run(0, 0..6).unwrap().copy_from_slice(&[4, 5, 6, 6, 4, 4]);
+        let mut buffer = stored(&mut memory, function);
         let mut parts = Vec::new();
         let level = Ramp::new([5 << FRACTION_16_15], [0]);
         let take = |part: Range<i32>| {
@@ -367,8 +314,7 @@ mod tests {
         buffer.split(0, 0..6, level.clone(), take).unwrap();
         let by_parts = memory;
         memory = [0; 6];
-        let mut buffer = DepthBuffer::new(&mut memory, Rect::new(0, 0, 6, 1)).unwrap().with_test(function);
-        buffer.run(0, 0..6).unwrap().copy_from_slice(&[4, 5, 6, 6, 4, 4]);
+        let mut buffer = stored(&mut memory, function);
         let passed: Vec<_, 6> = buffer.filter(0, 0..6, level, (0..6).map(Some)).flatten().collect();
         assert_eq!(passed, parts.iter().flat_map(|&(start, end)| start..end).collect::<Vec<_, 6>>(), "both ways agree");
         assert_eq!(memory, by_parts);

@@ -8,6 +8,7 @@
 
 pub mod convex;
 pub mod depth;
+mod depth_test;
 
 use core::ops::Range;
 

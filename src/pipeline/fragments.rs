@@ -7,10 +7,11 @@ use crate::{
     fragment::shade::{Corner, Facet, Placed, Shading},
     geometry::{
         face::Side,
-        viewport::{FARTHEST, NEAREST},
+        viewport::{FARTHEST, NEAREST, Viewport, fine},
     },
     hidden::Hidden,
     illumination::Illumination,
+    model::assembly::Face,
     num::{Scalar, low_i32},
     raster::triangle::spans,
     slopes::Slopes,
@@ -45,18 +46,16 @@ impl DepthBias {
 
     /// Depths of 31 bits, moved; they stay in range.
     pub(super) fn moved<const N: usize>(self, depths: [u32; N], steepness: u32) -> [u32; N] {
-        const FINE: [i64; 2] = [(FARTHEST as i64) << 7, (NEAREST as i64) << 7];
+        let [farthest, nearest] = [FARTHEST, NEAREST].map(|depth| i64::from(fine(depth)));
         let bias = (i64::from(self.constant) << 15) + i64::from(self.slope) * i64::from(steepness);
-        depths.map(|depth| low_i32((i64::from(depth) + bias).clamp(FINE[0], FINE[1])).cast_unsigned())
+        depths.map(|depth| low_i32((i64::from(depth) + bias).clamp(farthest, nearest)).cast_unsigned())
     }
 }
 
 /// A triangle of the mesh.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct MeshTriangle {
-    /// Its number, by which its normal is found.
-    pub(super) face: usize,
-    pub(super) corners: [u16; 3],
+    pub(super) face: Face,
     pub(super) side: Side,
 }
 
@@ -89,7 +88,13 @@ pub(super) struct Fragments<'f, H, T> {
     pub(super) bounds: Rect,
 }
 
-impl<H: Hidden, T: Target> Fragments<'_, H, T> {
+impl<'f, H: Hidden, T: Target> Fragments<'f, H, T> {
+    /// Where all three of viewport, `hidden` and `target` are.
+    pub(super) fn new(viewport: Viewport, hidden: &'f mut H, target: &'f mut T) -> Self {
+        let bounds = viewport.rect().intersection(hidden.bounds()).intersection(target.bounds());
+        Self { hidden, target, bounds }
+    }
+
     /// Draws one triangle, whichever side it shows.
     #[inline]
     pub(super) fn draw<S: Shading<Color = T::Color>, I: Illumination>(
@@ -144,7 +149,7 @@ fn place<S: Shading, I: Illumination>(
 ) -> [Placed<S::Attributes>; 3] {
     let [a, b, c] = piece.positions;
     let [p, q, r] = piece.clipped.unwrap_or_else(|| {
-        let [i, j, k] = triangle.corners;
+        let [i, j, k] = triangle.face.corners;
         let [p, q, r] = corners;
         [(i, p), (j, q), (k, r)].map(|(index, corner)| (surface.w(index), surface.shading.corner(corner)))
     });

@@ -105,14 +105,14 @@ impl<S: Shading, I: Illumination> Surface<'_, S, I> {
     /// The normal of a whole triangle, towards the eye.
     #[inline]
     pub(super) fn face_normal(&self, triangle: &MeshTriangle) -> Option<[i8; 3]> {
-        let normal = self.mesh.face_normals()?.get(triangle.face).copied()?;
+        let normal = self.mesh.face_normals()?.get(triangle.face.number).copied()?;
         Some(if triangle.side == Side::Back { turned(normal) } else { normal })
     }
 
     /// What shading may know of the corners.
     #[inline]
     pub(super) fn corners(&self, triangle: &MeshTriangle) -> [Corner; 3] {
-        let [a, b, c] = triangle.corners;
+        let [a, b, c] = triangle.face.corners;
         [self.corner(a, triangle.side), self.corner(b, triangle.side), self.corner(c, triangle.side)]
     }
 

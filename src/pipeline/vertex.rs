@@ -6,7 +6,7 @@ use crate::{
         vertex::Homogeneous,
     },
     colour::Light,
-    geometry::viewport::ScreenPoint,
+    geometry::viewport::{ScreenPoint, fine},
     num::bits,
     space::{Clip, Point2, Point4},
     vary::Varying,
@@ -60,7 +60,7 @@ impl MeshVertex {
     /// The depth in 31 bits, as it is carried over a triangle.
     #[inline]
     pub(super) const fn depth(&self) -> u32 {
-        (self.across & 0xFFF) << 19 | (self.down & 0xFFF) << 7
+        fine((self.across & 0xFFF) << 12 | self.down & 0xFFF)
     }
 }
 

@@ -26,7 +26,7 @@ use crate::{
     geometry::{
         face::{Side, signed_area},
         light::Lighting,
-        viewport::ScreenPoint,
+        viewport::{ScreenPoint, fine},
     },
     hidden::Hidden,
     illumination::Illumination,
@@ -130,8 +130,7 @@ where
     T: Target<Color = S::Color>,
 {
     let Some(surface) = prepared(instance, scene, workspace.vertices)? else { return Ok(()) };
-    let bounds = surface.viewport.rect().intersection(workspace.hidden.bounds()).intersection(target.bounds());
-    let mut fragments = Fragments { hidden: workspace.hidden, target, bounds };
+    let mut fragments = Fragments::new(surface.viewport, workspace.hidden, target);
     draw_edges(&surface, &mut fragments).map_err(DrawError::Target)
 }
 
@@ -238,7 +237,7 @@ where
     let end = |vertex: &ClipVertex<[u16; 1]>| {
         let ScreenPoint { position, depth } = surface.project(&vertex.point);
         let [light] = vertex.attributes;
-        End { position, depth: depth << 7, light: surface.shading.seen(Light(light), vertex.point.w) }
+        End { position, depth: fine(depth), light: surface.shading.seen(Light(light), vertex.point.w) }
     };
     Some((end(&a), end(&b)))
 }

@@ -10,8 +10,9 @@
 //!              └─ fill ────┘└─ fill ──────────┘
 //! ```
 //!
-//! Where a fill ends is one division of 32 bits. A run across `n` switches is `n + 1` fills, whatever its length: 17 at
-//! most a level of the panel. Below some dozen pixels the thresholds are cheaper.
+//! Where a fill ends is one division of 32 bits. A run across `n` switches is `n + 1` fills, whatever its length: a row of
+//! a 4 × 4 mask has four switches from a level of the panel to the next, one of 8 × 8 has eight. Between two levels, and below
+//! some dozen pixels, the thresholds are cheaper.
 
 use core::ops::Range;
 
@@ -34,18 +35,27 @@ pub(super) struct Switches {
     known: u8,
     /// … and between which level and the next.
     code: u8,
-    /// One light, and in which of eight columns it shows the brighter code; of which rows, a bit each.
-    flat: (Light, [u8; 8], u8),
+    flat: Flat,
+}
+
+/// In which of eight columns one light shows the brighter code, the first of them in the highest bit.
+#[derive(Clone, Copy, Debug)]
+struct Flat {
+    light: Light,
+    rows: [u8; 8],
+    /// Of which rows, a bit each.
+    known: u8,
 }
 
 impl Switches {
-    pub(super) const UNKNOWN: Self = Self { rows: [[0; 8]; 8], known: 0, code: 0, flat: (Light::BLACK, [0; 8], 0) };
+    pub(super) const UNKNOWN: Self =
+        Self { rows: [[0; 8]; 8], known: 0, code: 0, flat: Flat { light: Light::BLACK, rows: [0; 8], known: 0 } };
 
     /// Those of the columns 0 to 7 of a row, of which every eighth is alike, above the level of a code.
     #[inline]
     fn of_row(&mut self, code: u8, row: i32, exceeded: impl FnOnce() -> [u32; 8]) -> &[u32; 8] {
         if self.code != code {
-            (self.code, self.known, self.flat.2) = (code, 0, 0);
+            (self.code, self.known, self.flat.known) = (code, 0, 0);
         }
         let phase = index(row & 7);
         if self.known >> phase & 1 == 0 {
@@ -57,26 +67,24 @@ impl Switches {
         }
         self.rows.get(phase).unwrap_or(&[u32::MAX; 8])
     }
-}
 
-impl Switches {
     /// The columns of a row in which a light shows the brighter code.
     #[inline]
     fn flat(&mut self, light: Light, code: u8, row: i32, exceeded: impl FnOnce() -> [u32; 8]) -> u8 {
-        if self.flat.0 != light || self.code != code {
-            (self.flat.0, self.flat.2) = (light, 0);
+        if self.flat.light != light || self.code != code {
+            (self.flat.light, self.flat.known) = (light, 0);
         }
         let phase = index(row & 7);
-        if self.flat.2 >> phase & 1 == 0 {
+        if self.flat.known >> phase & 1 == 0 {
             let fine = to_16_15(light.0);
             let switches = self.of_row(code, row, exceeded);
             let byte = switches.iter().fold(0, |byte, switch| byte << 1 | u8::from(fine >= *switch));
-            if let Some(known) = self.flat.1.get_mut(phase) {
-                *known = byte;
+            if let Some(row) = self.flat.rows.get_mut(phase) {
+                *row = byte;
             }
-            self.flat.2 |= 1 << phase;
+            self.flat.known |= 1 << phase;
         }
-        self.flat.1.get(phase).copied().unwrap_or_default()
+        self.flat.rows.get(phase).copied().unwrap_or_default()
     }
 }
 

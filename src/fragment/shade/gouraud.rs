@@ -2,7 +2,7 @@
 
 use core::ops::Range;
 
-use super::{Corner, Facet, Shading, reflected};
+use super::{Corner, Facet, Shading};
 use crate::{
     colour::Light,
     illumination::{Illumination, unit_normal},
@@ -80,7 +80,7 @@ impl Shading for Flat {
             };
             light.on(position, unit_normal([sum(|n| n[0]), sum(|n| n[1]), sum(|n| n[2])]))
         };
-        reflected(on_face, a.color)
+        on_face.reflected(a.color.0)
     }
 
     #[inline]
@@ -120,7 +120,7 @@ impl Shading for Gouraud {
 
     #[inline]
     fn corner(&self, corner: &Corner) -> [u16; 1] {
-        [reflected(corner.light, corner.color).0]
+        [corner.light.reflected(corner.color.0).0]
     }
 
     #[inline]

@@ -121,7 +121,8 @@ pub trait Shading {
         at: (i32, i32),
     ) -> impl Iterator<Item = Option<Self::Color>>;
 
-    /// Draws a run of pixels that are all seen; `run` is its row and its columns.
+    /// Draws a run of pixels that are all seen, of a shading that [drops](Self::DROPS) none; `run` is its row and its
+    /// columns.
     ///
     /// # Errors
     /// What the target says.
@@ -134,12 +135,8 @@ pub trait Shading {
         target: &mut T,
     ) -> Result<(), T::Error> {
         let colors = self.colors(light, face, (row, columns.start));
-        if Self::DROPS {
-            target.write_run(row, columns, colors)
-        } else {
-            // Each is some: nothing ends.
-            target.write_all(row, columns, colors.map_while(|color| color))
-        }
+        // Each is some: nothing ends.
+        target.write_all(row, columns, colors.map_while(|color| color))
     }
 }
 
@@ -147,10 +144,4 @@ pub trait Shading {
 #[inline]
 const fn offset(value: i16) -> u16 {
     value.cast_unsigned() ^ 0x8000
-}
-
-/// The product of light and what gives back a part of it.
-#[inline]
-const fn reflected(light: Light, part: Light) -> Light {
-    Light(crate::num::high_u16(light.0 as u32 * (part.0 as u32 + 1)))
 }

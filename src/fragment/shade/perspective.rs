@@ -29,7 +29,7 @@ pub struct Perspective<const N: usize> {
     least: [u32; N],
     /// From there to the greatest.
     reach: [u32; N],
-    /// The rest over `w`, in 2⁻¹⁴ of the next.
+    /// The rest over `w`, in 2⁻¹⁶ of the next.
     over_w: Plane<N>,
     /// One over `w`, 2³⁰ at the nearest corner.
     one_over_w: Plane<1>,
@@ -60,17 +60,16 @@ impl<const N: usize> Perspective<N> {
             *reach = (*reach).max(b).max(c) - *least;
         }
         let one_over_w = corners.map(|corner| quotient(nearest, corner.w));
-        let mut index = 0_usize;
-        let over_w = one_over_w.map(|one_over_w| {
+        let over_w = |corner: &Placed<[u16; N]>, one_over_w: u32| {
             let mut over_w = [0; N];
-            let attributes = corners.get(index).map_or([0; N], |corner| corner.attributes);
-            for ((over_w, attribute), least) in over_w.iter_mut().zip(attributes).zip(least) {
+            for ((over_w, attribute), least) in over_w.iter_mut().zip(corner.attributes).zip(least) {
                 let rest = u64::from(attribute.saturating_sub(least));
                 *over_w = saturate_u32((u64::from(one_over_w) * rest) >> 16);
             }
-            index += 1;
             over_w
-        });
+        };
+        let [p, q, r] = one_over_w;
+        let over_w = [over_w(a, p), over_w(b, q), over_w(c, r)];
         let (over_w, one_over_w) = (slopes.fine_plane(&over_w), slopes.fine_plane(&one_over_w.map(|value| [value])));
         let is_steep = |step: &u32| step.cast_signed().unsigned_abs() >= STEEP;
         let horizon = if over_w.across.iter().chain(&one_over_w.across).any(is_steep) { u32::MAX } else { HORIZON };

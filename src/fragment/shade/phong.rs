@@ -1,6 +1,6 @@
 //! Phong shading: the light of each pixel, by a normal that turns from corner to corner.
 
-use super::{Corner, Facet, Shading, offset, reflected};
+use super::{Corner, Facet, Shading, offset};
 use crate::{
     colour::Light,
     illumination::{Illumination, unit_normal},
@@ -44,7 +44,7 @@ impl Shading for Phong {
         face.at(row, column).map(|[nx, ny, nz, x, y, z, color]| {
             let signed = |value: u16| (value ^ 0x8000).cast_signed();
             let normal = unit_normal([nx, ny, nz].map(|n| i32::from(signed(n))));
-            Some(reflected(light.on([x, y, z].map(signed), normal), Light(color)))
+            Some(light.on([x, y, z].map(signed), normal).reflected(color))
         })
     }
 }

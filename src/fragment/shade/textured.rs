@@ -1,6 +1,6 @@
 //! Textures on triangles.
 
-use super::{Corner, Facet, Perspective, Placed, Shading, offset, reflected};
+use super::{Corner, Facet, Perspective, Placed, Shading, offset};
 use crate::{
     colour::Light,
     fragment::texture::{Filter, Sampler, Texels, Wrap},
@@ -125,7 +125,7 @@ fn lit<T: Texels, W: Wrap, F: Filter>(
     places: impl Iterator<Item = [u32; 2]>,
     lights: impl Iterator<Item = Option<Light>>,
 ) -> impl Iterator<Item = Option<Light>> {
-    places.zip(lights).map(|([u, v], light)| Some(reflected(sampler.sample(u.cast_signed(), v.cast_signed()), light?)))
+    places.zip(lights).map(|([u, v], light)| Some(sampler.sample(u.cast_signed(), v.cast_signed()).reflected(light?.0)))
 }
 
 /// Corners with only the first, and with only the second of what they carry.
