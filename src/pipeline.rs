@@ -12,7 +12,9 @@
 
 mod bounds;
 mod draw_error;
+mod draw_scene;
 mod fragments;
+mod scanline;
 mod surface;
 mod unpainted;
 mod vertex;
@@ -42,8 +44,10 @@ use crate::{
 };
 pub use bounds::Bounds;
 pub use draw_error::DrawError;
+pub use draw_scene::{SceneMemory, draw_scene};
 pub use fragments::DepthBias;
 use fragments::{Fragments, MeshTriangle, Piece};
+pub use scanline::{ActiveFace, ListedFace, RowBucket, ScanlineMemory, Scanlines};
 use surface::Surface;
 pub use unpainted::Unpainted;
 use vertex::ClipVertex;
@@ -217,7 +221,7 @@ where
 {
     let Some(surface) = prepared(instance, scene, workspace.vertices)? else { return Ok(()) };
     let mut fragments = Fragments::new(surface.viewport, workspace.hidden, target);
-    draw_triangles(&surface, &mut fragments).map_err(DrawError::Target)
+    each_piece(&surface, &mut |triangle, piece| fragments.draw(&surface, triangle, piece)).map_err(DrawError::Target)
 }
 
 /// Vertex processing: everything that is done before the first triangle is looked at. `None` if nothing is seen.
@@ -256,14 +260,11 @@ fn prepared<'s, S: Shading, B: Bounds, L: Lighting, E>(
     Ok(Some(Surface { vertices, ..surface }))
 }
 
-/// Every triangle that shows a side that is wanted.
-fn draw_triangles<S, I, H, T>(surface: &Surface<'_, S, I>, fragments: &mut Fragments<'_, H, T>) -> Result<(), T::Error>
-where
-    S: Shading,
-    I: Illumination,
-    H: Hidden,
-    T: Target<Color = S::Color>,
-{
+/// Every triangle that shows a side that is wanted, cut in pieces where it must be.
+fn each_piece<S: Shading, I: Illumination, E>(
+    surface: &Surface<'_, S, I>,
+    take: &mut impl FnMut(&MeshTriangle, &Piece<S::Attributes>) -> Result<(), E>,
+) -> Result<(), E> {
     // Plain triangles by the slice, without asking each time what they are.
     let (list, others) = match surface.mesh.assembly() {
         Assembly::Triangles(list) => (list, None),
@@ -271,17 +272,15 @@ where
     };
     let listed = list.iter().enumerate().map(|(number, &corners)| Face { corners, number });
     for face in listed.chain(others.into_iter().flatten()) {
-        let [a, b, c] = face.corners;
-        let vertices = [surface.vertex(a), surface.vertex(b), surface.vertex(c)];
+        let vertices = surface.vertices_of(face);
         let [a, b, c] = &vertices;
         if !(a.is_projected() && b.is_projected() && c.is_projected()) {
-            draw_clipped(surface, face, fragments)?;
+            each_clipped(surface, face, take)?;
             continue;
         }
         let (a, b, c) = (a.position(), b.position(), c.position());
         if let Some(side) = surface.faces.shows(signed_area(a, b, c)) {
-            let triangle = MeshTriangle { face, side };
-            fragments.draw(surface, &triangle, &Piece::of_vertices(&vertices))?;
+            take(&MeshTriangle { face, side }, &Piece::of_vertices(&vertices))?;
         }
     }
     Ok(())
@@ -295,17 +294,11 @@ type ClippedTriangle<A> = Vec<ClipVertex<A>, { 3 + Plane::ALL.len() + MOST_PLANE
 
 /// A triangle of which some corners cannot be projected: what is inside of the volume, as a fan.
 #[inline(never)]
-fn draw_clipped<S, I, H, T>(
+fn each_clipped<S: Shading, I: Illumination, E>(
     surface: &Surface<'_, S, I>,
     face: Face,
-    fragments: &mut Fragments<'_, H, T>,
-) -> Result<(), T::Error>
-where
-    S: Shading,
-    I: Illumination,
-    H: Hidden,
-    T: Target<Color = S::Color>,
-{
+    take: &mut impl FnMut(&MeshTriangle, &Piece<S::Attributes>) -> Result<(), E>,
+) -> Result<(), E> {
     // What the corners carry depends on the side that is seen, which only the projected pieces tell.
     for side in [Side::Front, Side::Back] {
         if surface.faces.includes(side) {
@@ -315,25 +308,19 @@ where
                 attributes: surface.shading.corner(&corner),
             });
             let mut polygon = ClippedTriangle::from(carried);
-            draw_fan(surface, &triangle, surface.clipped(&mut polygon, &mut ClippedTriangle::new()), fragments)?;
+            each_of_fan(surface, &triangle, surface.clipped(&mut polygon, &mut ClippedTriangle::new()), take)?;
         }
     }
     Ok(())
 }
 
 /// A convex polygon, as a fan of triangles of the side that is wanted.
-fn draw_fan<S, I, H, T>(
+fn each_of_fan<S: Shading, I: Illumination, E>(
     surface: &Surface<'_, S, I>,
     triangle: &MeshTriangle,
     polygon: &[ClipVertex<S::Attributes>],
-    fragments: &mut Fragments<'_, H, T>,
-) -> Result<(), T::Error>
-where
-    S: Shading,
-    I: Illumination,
-    H: Hidden,
-    T: Target<Color = S::Color>,
-{
+    take: &mut impl FnMut(&MeshTriangle, &Piece<S::Attributes>) -> Result<(), E>,
+) -> Result<(), E> {
     let project = |vertex: &ClipVertex<S::Attributes>| {
         let ScreenPoint { position, depth } = surface.project(&vertex.point);
         (position, fine(depth), (vertex.point.w, vertex.attributes))
@@ -351,7 +338,7 @@ where
         };
         let [a, b, c] = piece.positions;
         if face::side(a, b, c) == Some(triangle.side) {
-            fragments.draw(surface, triangle, &piece)?;
+            take(triangle, &piece)?;
         }
     }
     Ok(())

@@ -9,6 +9,7 @@
 pub mod convex;
 pub mod depth;
 mod depth_test;
+pub mod scanline;
 
 use core::ops::Range;
 

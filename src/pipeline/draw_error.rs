@@ -1,6 +1,6 @@
 //! What can go wrong while a mesh is drawn.
 
-use core::{error::Error, fmt};
+use core::{convert::Infallible, error::Error, fmt};
 
 use super::MOST_PLANES;
 use crate::error::OutOfRange;
@@ -13,6 +13,17 @@ pub enum DrawError<E> {
         /// How many are needed.
         needed: usize,
     },
+    /// More faces show in a [picture by rows](super::Scanlines) than there is room for. Nothing was drawn.
+    TooFewFaces {
+        /// How many are needed.
+        needed: usize,
+    },
+    /// More faces reach into some row than there is room for, or there is no room at all for runs or buckets. Nothing was
+    /// drawn.
+    TooFewActive {
+        /// How many are needed, at the most.
+        needed: usize,
+    },
     /// The instance is cut by more than [`MOST_PLANES`]. Nothing was drawn.
     TooManyPlanes,
     /// Placement, view and projection may take a vertex more than 4096 from the origin of clip
@@ -22,10 +33,25 @@ pub enum DrawError<E> {
     Target(E),
 }
 
+impl DrawError<Infallible> {
+    /// The same for any target: none has been drawn on.
+    pub(super) const fn before_drawing<E>(self) -> DrawError<E> {
+        match self {
+            Self::TooFewVertices { needed } => DrawError::TooFewVertices { needed },
+            Self::TooFewFaces { needed } => DrawError::TooFewFaces { needed },
+            Self::TooFewActive { needed } => DrawError::TooFewActive { needed },
+            Self::TooManyPlanes => DrawError::TooManyPlanes,
+            Self::OutOfRange => DrawError::OutOfRange,
+        }
+    }
+}
+
 impl<E: fmt::Display> fmt::Display for DrawError<E> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::TooFewVertices { needed } => write!(f, "{needed} vertices are needed"),
+            Self::TooFewFaces { needed } => write!(f, "{needed} faces are needed"),
+            Self::TooFewActive { needed } => write!(f, "{needed} active faces are needed"),
             Self::TooManyPlanes => write!(f, "more than {MOST_PLANES} planes cut an instance"),
             Self::OutOfRange => OutOfRange.fmt(f),
             Self::Target(error) => error.fmt(f),

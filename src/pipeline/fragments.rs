@@ -111,9 +111,9 @@ impl<'f, H: Hidden, T: Target> Fragments<'f, H, T> {
 const SHORT: i32 = 3;
 
 /// What is computed of a triangle when the first of its pixels is seen.
-struct Begun<F> {
-    face: F,
-    depth: Plane<1>,
+pub(super) struct Begun<F> {
+    pub(super) face: F,
+    pub(super) depth: Plane<1>,
 }
 
 /// One triangle on its way to the target.
@@ -125,18 +125,21 @@ struct Painter<'p, 'f, S: Shading, I, H, T> {
     begun: Option<Begun<S::Face>>,
 }
 
-impl<S: Shading, I: Illumination, H: Hidden, T> Painter<'_, '_, S, I, H, T> {
-    /// Most small triangles end before this, because they hold no pixel's centre.
-    fn begin(surface: &Surface<'_, S, I>, triangle: &MeshTriangle, piece: &Piece<S::Attributes>) -> Begun<S::Face> {
-        let corners = surface.corners(triangle);
-        let slopes = Slopes::new(&piece.positions);
-        let placed = place(surface, triangle, piece, &corners);
-        let facet =
-            Facet { corners: &corners, normal: surface.face_normal(triangle), placed: &placed, slopes: &slopes };
-        let face = surface.shading.face(&surface.light, &facet);
-        let depth = if H::USES_DEPTH { depth_plane(surface.bias, &slopes, piece.depths) } else { Plane::LEVEL };
-        Begun { face, depth }
-    }
+/// Begins a triangle. Most small triangles end before this, because they hold no pixel's centre.
+#[inline]
+pub(super) fn begin<S: Shading, I: Illumination>(
+    surface: &Surface<'_, S, I>,
+    triangle: &MeshTriangle,
+    piece: &Piece<S::Attributes>,
+    uses_depth: bool,
+) -> Begun<S::Face> {
+    let corners = surface.corners(triangle);
+    let slopes = Slopes::new(&piece.positions);
+    let placed = place(surface, triangle, piece, &corners);
+    let facet = Facet { corners: &corners, normal: surface.face_normal(triangle), placed: &placed, slopes: &slopes };
+    let face = surface.shading.face(&surface.light, &facet);
+    let depth = if uses_depth { depth_plane(surface.bias, &slopes, piece.depths) } else { Plane::LEVEL };
+    Begun { face, depth }
 }
 
 /// The corners with what they carry.
@@ -183,7 +186,7 @@ where
     fn span(&mut self, row: i32, columns: Range<i32>, (): ()) -> Result<(), T::Error> {
         let Surface { shading, light, .. } = self.surface;
         let Begun { face, depth } =
-            self.begun.get_or_insert_with(|| Self::begin(self.surface, self.triangle, self.piece));
+            self.begun.get_or_insert_with(|| begin(self.surface, self.triangle, self.piece, H::USES_DEPTH));
         let Fragments { hidden, target, .. } = &mut *self.fragments;
         let depth_at = |column| if H::USES_DEPTH { depth.at(row, column) } else { Ramp::new([0], [0]) };
         if S::IS_CHEAP && columns.end.wrapping_sub(columns.start) <= SHORT {

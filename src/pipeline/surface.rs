@@ -13,7 +13,7 @@ use crate::{
         viewport::{ScreenPoint, Viewport},
     },
     illumination::Illumination,
-    model::mesh::Mesh,
+    model::{assembly::Face, mesh::Mesh},
     num::Scalar,
     pipeline::fragments::{DepthBias, MeshTriangle},
     space::{Clip, Point4},
@@ -88,6 +88,13 @@ impl<S: Shading, I: Illumination> Surface<'_, S, I> {
     #[inline]
     pub(super) fn vertex(&self, index: u16) -> MeshVertex {
         self.vertices.get(usize::from(index)).copied().unwrap_or_default()
+    }
+
+    /// Those of a face.
+    #[inline]
+    pub(super) fn vertices_of(&self, face: Face) -> [MeshVertex; 3] {
+        let [a, b, c] = face.corners;
+        [self.vertex(a), self.vertex(b), self.vertex(c)]
     }
 
     /// Where a vertex is in the object's own space.

@@ -59,3 +59,4 @@ mod text;
 pub mod thick_line;
 mod thin;
 pub mod triangle;
+pub(crate) mod walk;

@@ -1,0 +1,285 @@
+//! Pictures row by row, without a frame and without a depth buffer. Lecture 5.4.
+//!
+//! ```text
+//!   faces ─▶ buckets of rows ─▶ active faces ─▶ spans of a row ─▶ runs that are seen ─▶ shade ─▶ send
+//!   once a picture              those that      left to right      the scanline
+//!                               reach the row                      algorithm
+//! ```
+
+mod buckets;
+mod listed;
+
+use core::{convert::Infallible, fmt, ops::Range};
+
+use heapless::vec::{Vec, VecView};
+
+use self::buckets::{Buckets, NONE};
+pub use self::{
+    buckets::RowBucket,
+    listed::{ActiveFace, ListedFace},
+};
+use super::{Bounds, DrawError, Instance, MeshVertex, Scene, each_piece, prepared, surface::Surface};
+use crate::{
+    fragment::shade::Shading,
+    geometry::light::Lighting,
+    hidden::scanline::{Full, RowDepth, Scanline, VisibleRun},
+    illumination::Illumination,
+    model::assembly::Face,
+    num::{count_i32, low_index, low_u8, low_u16},
+    raster::walk::{columns, rows},
+    space::Rect,
+    target::Target,
+};
+
+/// What a picture by rows is made in, lent by the caller.
+#[derive(Debug)]
+pub struct ScanlineMemory<'m, F> {
+    /// One for each vertex of all instances.
+    pub vertices: &'m mut [MeshVertex],
+    /// Room for the faces that show in the picture: those that face the eye, about half of closed solids.
+    pub faces: &'m mut VecView<ListedFace>,
+    /// At least one. With as many as there are rows, the room for active faces is counted to the face; with fewer,
+    /// more may be asked for than are active at once.
+    pub buckets: &'m mut [RowBucket],
+    /// Room for the faces that reach into one row.
+    pub active: &'m mut VecView<ActiveFace<F>>,
+    /// As much as for active faces.
+    pub order: &'m mut VecView<u16>,
+    /// At least one; rows with more runs are resolved part by part. Twice as many as active faces is plenty.
+    pub runs: &'m mut VecView<VisibleRun>,
+}
+
+/// A picture that is drawn row by row.
+pub struct Scanlines<'s, S: Shading, I, const N: usize> {
+    surfaces: Vec<Surface<'s, S, I>, N>,
+    faces: &'s mut VecView<ListedFace>,
+    buckets: Buckets<'s>,
+    active: &'s mut VecView<ActiveFace<S::Face>>,
+    order: &'s mut VecView<u16>,
+    runs: &'s mut VecView<VisibleRun>,
+    window: Rect,
+    row: i32,
+}
+
+impl<'s, S: Shading, I: Illumination, const N: usize> Scanlines<'s, S, I, N> {
+    /// Everything that is done before the first row: vertices are transformed and lit, faces listed.
+    ///
+    /// # Errors
+    /// [`DrawError`]. Nothing was drawn, and once there is a picture, nothing can run out.
+    pub fn new<B: Bounds, L: Lighting<Illumination = I>>(
+        instances: &'s [Instance<'_, S, B>; N],
+        scene: &Scene<L>,
+        window: Rect,
+        memory: ScanlineMemory<'s, S::Face>,
+    ) -> Result<Self, DrawError<Infallible>> {
+        const { assert!(N <= 256, "the instance of a face is a byte") };
+        const { assert!(!S::DROPS, "a shading that leaves out pixels does not hide what is behind them") };
+        let ScanlineMemory { vertices, faces, buckets, active, order, runs } = memory;
+        let window = window.intersection(scene.camera.viewport.rect());
+        let mut picture = Self {
+            surfaces: prepare(instances, scene, vertices)?,
+            faces,
+            buckets: Buckets::new(buckets, window),
+            active,
+            order,
+            runs,
+            window,
+            row: window.top,
+        };
+        picture.active.clear();
+        picture.order.clear();
+        picture.list()?;
+        let (most, room) = (picture.buckets.most_active(), picture.active.capacity().min(picture.order.capacity()));
+        if most > room || picture.runs.capacity() == 0 || picture.buckets.is_empty() {
+            return Err(DrawError::TooFewActive { needed: most.max(1) });
+        }
+        Ok(picture)
+    }
+
+    /// The row that is drawn next; `None` when all have been.
+    #[must_use]
+    pub fn row(&self) -> Option<i32> {
+        (self.row < self.window.bottom).then_some(self.row)
+    }
+
+    /// Draws the next row. Every pixel of a surface is given once, from left to right; where none is, `target` stays as it is.
+    ///
+    /// # Errors
+    /// What the target says. The row counts as drawn.
+    pub fn draw_row<T: Target<Color = S::Color>>(&mut self, target: &mut T) -> Result<(), T::Error> {
+        if self.row >= self.window.bottom {
+            return Ok(());
+        }
+        self.activate();
+        self.sort();
+        let drawn = self.paint(target);
+        self.row += 1;
+        self.step();
+        drawn
+    }
+
+    /// Puts the faces that can be seen into the buckets of their first rows.
+    fn list(&mut self) -> Result<(), DrawError<Infallible>> {
+        let Self { surfaces, faces, buckets, window, .. } = self;
+        faces.clear();
+        let (mut needed, mut pieces) = (0_usize, Pieces::default());
+        for (instance, surface) in surfaces.iter().enumerate() {
+            let instance = low_u8(low_index(instance));
+            let _: Result<(), Infallible> = each_piece(surface, &mut |triangle, piece| {
+                let piece_number = pieces.count((instance, triangle.face), piece.clipped.is_some());
+                let rows = intersection(rows(&piece.positions), window.rows());
+                if rows.is_empty() || intersection(columns(&piece.positions), window.columns()).is_empty() {
+                    return Ok(());
+                }
+                needed += 1;
+                let place = low_u16(count_i32(faces.len()));
+                let listed = ListedFace::new(triangle, piece_number, rows.start, instance);
+                if let Some(mut listed) = listed.filter(|_| place != NONE && !faces.is_full()) {
+                    listed.next = buckets.insert(place, &rows);
+                    // There is room.
+                    let _ = faces.push(listed);
+                }
+                Ok(())
+            });
+        }
+        if needed > faces.len() { Err(DrawError::TooFewFaces { needed }) } else { Ok(()) }
+    }
+
+    /// Takes up the faces that begin in this row.
+    fn activate(&mut self) {
+        let mut at = self.buckets.first(self.row);
+        while let Some(listed) = self.faces.get(usize::from(at)) {
+            let surface = self.surfaces.get(usize::from(listed.instance));
+            if let Some(surface) = surface.filter(|_| i32::from(listed.first_row) == self.row) {
+                let slot = low_u16(count_i32(self.active.len()));
+                if let Some(face) = listed.begin(surface, (self.row, at), self.window) {
+                    // There is room for both: they were counted.
+                    let _ = (self.active.push(face), self.order.push(slot));
+                }
+            }
+            at = listed.next;
+        }
+    }
+
+    /// Insertion sort by the left ends: from row to row little changes.
+    fn sort(&mut self) {
+        let left = |slot: u16| self.active.get(usize::from(slot)).map_or(0, |face| face.walk.columns().start);
+        for end in 1..self.order.len() {
+            let mut place = end;
+            while let Some([before, here]) = place.checked_sub(1).and_then(|from| self.order.get_mut(from..=place)) {
+                if left(*before) <= left(*here) {
+                    break;
+                }
+                core::mem::swap(before, here);
+                place -= 1;
+            }
+        }
+    }
+
+    /// Resolves and shades the row; if it has more runs than there is room for, part by part.
+    fn paint<T: Target<Color = S::Color>>(&mut self, target: &mut T) -> Result<(), T::Error> {
+        let mut columns = self.window.columns();
+        while !columns.is_empty() {
+            let mut end = columns.end;
+            // One column has one run, for which there is room.
+            while self.resolve(columns.start..end).is_err() && end - columns.start > 1 {
+                end = columns.start + (end - columns.start) / 2;
+            }
+            for run in self.runs.iter() {
+                let Some(active) = self.active.get(usize::from(run.surface())) else { continue };
+                let Some(surface) = self.surfaces.get(usize::from(active.instance)) else { continue };
+                surface.shading.paint(&surface.light, &active.face, (self.row, run.columns()), target)?;
+            }
+            columns.start = end;
+        }
+        Ok(())
+    }
+
+    /// Finds who is seen in some columns.
+    fn resolve(&mut self, columns: Range<i32>) -> Result<(), Full> {
+        let (active, mut scanline) = (&*self.active, Scanline::new(self.runs));
+        let depths = |slot: u16| active.get(usize::from(slot)).map_or(RowDepth::FARTHEST, |face| face.depth);
+        for &slot in self.order.iter() {
+            if let Some(face) = active.get(usize::from(slot)) {
+                scanline.add(face.columns_in(&columns), slot, &depths)?;
+            }
+        }
+        Ok(())
+    }
+
+    /// Goes down a row: drops the faces that end, moves the others on.
+    fn step(&mut self) {
+        let mut slot = 0;
+        while let Some(face) = self.active.get_mut(slot) {
+            if i32::from(face.end_row) > self.row {
+                face.advance(self.row);
+                slot += 1;
+            } else {
+                self.active.swap_remove(slot);
+                // The last face has taken its slot.
+                let (gone, last) = (low_index(slot), low_index(self.active.len()));
+                self.order.retain(|&other| u32::from(other) != gone);
+                for other in self.order.iter_mut().filter(|other| u32::from(**other) == last) {
+                    *other = low_u16(gone.cast_signed());
+                }
+            }
+        }
+    }
+}
+
+impl<S: Shading, I, const N: usize> fmt::Debug for Scanlines<'_, S, I, N> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { faces, active, window, row, .. } = self;
+        let (faces, active) = (faces.len(), active.len());
+        write!(f, "Scanlines {{ window: {window:?}, row: {row}, faces: {faces}, active: {active} }}")
+    }
+}
+
+/// Counts the pieces of faces that are clipped, from 1 on; whole ones have number 0.
+#[derive(Default)]
+struct Pieces {
+    last: Option<(u8, Face)>,
+    number: u8,
+}
+
+impl Pieces {
+    fn count(&mut self, face: (u8, Face), is_clipped: bool) -> u8 {
+        let again = self.last == Some(face);
+        self.last = Some(face);
+        self.number = if !is_clipped {
+            0
+        } else if again {
+            self.number.saturating_add(1)
+        } else {
+            1
+        };
+        self.number
+    }
+}
+
+/// Vertex processing of all instances; those of which nothing is seen are left out.
+fn prepare<'s, S: Shading, B: Bounds, L: Lighting, const N: usize>(
+    instances: &'s [Instance<'_, S, B>; N],
+    scene: &Scene<L>,
+    vertices: &'s mut [MeshVertex],
+) -> Result<Vec<Surface<'s, S, L::Illumination>, N>, DrawError<Infallible>> {
+    let counts = instances.iter().map(|instance| instance.mesh.positions().len());
+    let (needed, mut left, mut surfaces) = (counts.fold(0, usize::saturating_add), vertices, Vec::new());
+    if left.len() < needed {
+        return Err(DrawError::TooFewVertices { needed });
+    }
+    for instance in instances {
+        let (own, others) = left.split_at_mut_checked(instance.mesh.positions().len()).unwrap_or_default();
+        left = others;
+        if let Some(surface) = prepared(instance, scene, own)? {
+            // There is room for as many as there are instances.
+            let _ = surfaces.push(surface);
+        }
+    }
+    Ok(surfaces)
+}
+
+#[inline]
+fn intersection(a: Range<i32>, b: Range<i32>) -> Range<i32> {
+    a.start.max(b.start)..a.end.min(b.end)
+}
