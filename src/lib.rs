@@ -62,6 +62,7 @@ mod blend;
 mod colour;
 mod coverage;
 pub mod curve;
+pub mod cut;
 mod edge;
 mod em;
 mod error;
