@@ -13,7 +13,7 @@ mod board;
 mod items;
 
 #[cfg(target_os = "none")]
-use aquatint::pipeline::MeshVertex;
+use aquatint::pipeline::{MeshVertex, SceneMemory};
 
 #[cfg(target_os = "none")]
 #[cortex_m_rt::entry]
@@ -23,6 +23,8 @@ fn main() -> ! {
     static mut DEPTHS: [u16; 128 * 64] = [0; 128 * 64];
     static mut VERTICES: [MeshVertex; items::solid_models::VERTICES] =
         [MeshVertex::EMPTY; items::solid_models::VERTICES];
+    static mut SMOOTH: items::scanline::Smooth = SceneMemory::NEW;
+    static mut FLAT: items::scanline::Soup = SceneMemory::NEW;
 
     match option_env!("BENCH_PART") {
         Some("pages") => items::pages(MEMORY, &mut counting::Printer),
@@ -33,6 +35,10 @@ fn main() -> ! {
                 items::solid_ours::Memory { bytes: MEMORY, depths: DEPTHS, vertices: VERTICES },
                 &mut counting::Printer,
             );
+        }
+        Some("scanline") => {
+            items::scanline::turning(MEMORY, SMOOTH, &mut counting::Printer);
+            items::scanline::triangles(MEMORY, FLAT, &mut counting::Printer);
         }
         _ => items::single(MEMORY, &mut counting::Printer),
     }

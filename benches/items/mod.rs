@@ -9,6 +9,7 @@ mod bands;
 mod ours;
 mod peers;
 mod pictures;
+pub mod scanline;
 mod scene;
 #[cfg(not(target_os = "none"))]
 mod skia;
@@ -103,6 +104,8 @@ pub fn all(memory: &mut [u8; MEMORY], visitor: &mut impl Visitor) {
     written(memory, visitor);
     desk(visitor);
     solid::all(visitor);
+    scanline::turning(memory, &mut Box::new(scanline::Smooth::NEW), visitor);
+    scanline::triangles(memory, &mut Box::new(scanline::Soup::NEW), visitor);
 }
 
 /// What is measured on pages. The parts are apart because the board of the firmware has not enough flash for all.

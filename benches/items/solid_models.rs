@@ -70,6 +70,13 @@ impl<const V: usize, const T: usize> Arrays<V, T> {
 static CUBE: Arrays<8, 12> = cube().with_face_normals();
 static TORUS: Arrays<VERTICES, 1008> = torus().with_face_normals();
 
+/// Fifty triangles that lie anyhow, some through others.
+pub fn triangles() -> Model {
+    SOUP.model()
+}
+
+static SOUP: Arrays<150, 50> = soup().with_face_normals();
+
 /// In 2.10, so that squares fit.
 const fn between(from: [i16; 3], to: [i16; 3]) -> [i64; 3] {
     [(to[0] as i64 - from[0] as i64) / 16, (to[1] as i64 - from[1] as i64) / 16, (to[2] as i64 - from[2] as i64) / 16]
@@ -129,6 +136,46 @@ const fn torus() -> Arrays<VERTICES, 1008> {
         at += 1;
     }
     arrays
+}
+
+/// How far from the middle of the view a triangle may be, and a corner from the middle of its triangle, in 2.14.
+const REACH: [i32; 3] = [24_576, 13_107, 16_384];
+const SIZE: i32 = 7_373;
+
+const fn soup() -> Arrays<150, 50> {
+    let mut arrays = Arrays {
+        positions: [[0; 3]; 150],
+        normals: [[0, 0, 127]; 150],
+        triangles: [[0; 3]; 50],
+        face_normals: [[0; 3]; 50],
+    };
+    let (mut state, mut face) = (1, 0);
+    while face < 50 {
+        let mut axis = 0;
+        while axis < 3 {
+            state = next(state);
+            let (middle, mut corner) = (within(state, REACH[axis]), 0);
+            while corner < 3 {
+                state = next(state);
+                arrays.positions[3 * face + corner][axis] = (middle + within(state, SIZE)) as i16;
+                arrays.triangles[face][corner] = (3 * face + corner) as u16;
+                corner += 1;
+            }
+            axis += 1;
+        }
+        face += 1;
+    }
+    arrays
+}
+
+/// D. H. Lehmer's generator.
+const fn next(state: i64) -> i64 {
+    state * 48_271 % 2_147_483_647
+}
+
+/// From −reach to reach.
+const fn within(state: i64, reach: i32) -> i32 {
+    ((state >> 14) as i32 - (1 << 16)) * (reach >> 4) >> 12
 }
 
 const fn vertex(i: usize, j: usize) -> u16 {

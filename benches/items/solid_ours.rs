@@ -19,7 +19,7 @@ use embedded_graphics::{
 
 use super::{
     solid::{Engine, angles},
-    solid_models::Solid,
+    solid_models::{Model as Arrays, Solid},
     solid_wall::{SCALE, TEXTURE, Wall},
 };
 
@@ -53,13 +53,16 @@ impl<'m> Ours<'m> {
 }
 
 fn mesh(solid: Solid) -> Option<Mesh<'static>> {
-    let model = solid.model();
+    mesh_of(solid.model())
+}
+
+pub fn mesh_of(model: Arrays) -> Option<Mesh<'static>> {
     let mesh = Mesh::new(model.positions, model.normals, model.triangles).ok()?;
     mesh.with_face_normals(model.face_normals).ok()
 }
 
 /// How a solid lies.
-fn placement(frame: u16) -> Matrix<Model, World> {
+pub fn placement(frame: u16) -> Matrix<Model, World> {
     let [about_x, about_y] = angles(frame).map(Angle);
     Matrix::<Model, Model>::rotation_x(about_x).then(&Matrix::rotation_y(about_y))
 }
@@ -77,7 +80,7 @@ static GREYS: [Light; 256] = {
 /// Of 53.13°, whose half has the tangent ½.
 const FIELD_OF_VIEW: Angle = Angle(9672);
 
-fn scene(rect: Rect) -> Option<Scene> {
+pub fn scene(rect: Rect) -> Option<Scene> {
     let number = |thousandths: i32| Scalar::from_num(thousandths) / 1000;
     let aspect = Scalar::from_num(rect.width()) / Scalar::from_num(rect.height());
     let lens = Lens { field_of_view: FIELD_OF_VIEW, aspect, near: number(400), far: number(20_000) };

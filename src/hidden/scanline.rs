@@ -70,11 +70,6 @@ pub(crate) struct RowDepth {
 impl RowDepth {
     /// Of no surface.
     pub(crate) const FARTHEST: Self = Self { depth: 0, across: 0, order: u16::MAX };
-
-    #[inline]
-    fn at(&self, column: i32) -> u32 {
-        self.depth.wrapping_add(self.across.wrapping_mul(bits(column)))
-    }
 }
 
 /// There is no room for another run.
@@ -101,6 +96,12 @@ impl<'r> Scanline<'r> {
         surface: u16,
         depths: &impl Fn(u16) -> RowDepth,
     ) -> Result<(), Full> {
+        if columns.is_empty() {
+            return Ok(());
+        }
+        if self.runs.last().is_none_or(|last| i32::from(last.end) <= columns.start) {
+            return self.push(&columns, surface);
+        }
         let mut place = self.first_that_ends_behind(columns.start);
         while !columns.is_empty() {
             let old = self.runs.get(place).copied().filter(|old| i32::from(old.start) < columns.end);
@@ -116,6 +117,16 @@ impl<'r> Scanline<'r> {
             // There stands what the old surface has kept, if that is to the right.
             place = place.wrapping_add(usize::from(wins.end < end));
             columns.start = end;
+        }
+        Ok(())
+    }
+
+    /// Adds a run behind all others, or makes the last one longer.
+    #[inline]
+    fn push(&mut self, columns: &Range<i32>, surface: u16) -> Result<(), Full> {
+        match self.runs.last_mut().filter(|last| last.surface == surface && i32::from(last.end) == columns.start) {
+            Some(last) => last.end = low_i16(columns.end),
+            None => return self.runs.push(VisibleRun::new(columns, surface)).map_err(|_| Full),
         }
         Ok(())
     }
@@ -164,16 +175,17 @@ impl<'r> Scanline<'r> {
 /// The columns of an overlap in which `new` is in front of `old`: all, none, or those from one end on.
 #[inline]
 fn where_nearer(new: &RowDepth, old: &RowDepth, overlap: Range<i32>) -> Range<i32> {
-    let first_wins = i32::from(new.order < old.order);
     // Depths have 31 bits, so that their difference has a sign.
-    let lead = |column| new.at(column).wrapping_sub(old.at(column)).cast_signed().saturating_add(first_wins);
+    let (lead, step) = (new.depth.wrapping_sub(old.depth), new.across.wrapping_sub(old.across));
+    let first_wins = i32::from(new.order < old.order);
+    let lead = |column| lead.wrapping_add(step.wrapping_mul(bits(column))).cast_signed().saturating_add(first_wins);
     let last = overlap.end.wrapping_sub(1);
     let (at_start, at_end) = (lead(overlap.start), lead(last));
     match (at_start > 0, at_end > 0) {
         (true, true) => overlap,
         (false, false) => overlap.start..overlap.start,
         (in_front, _) => {
-            let step = new.across.wrapping_sub(old.across).cast_signed().unsigned_abs();
+            let step = step.cast_signed().unsigned_abs();
             // So many columns until it is 0 or less, or more than 0.
             let to_go = if in_front { at_start.wrapping_sub(1) } else { at_start.wrapping_neg() };
             let columns = to_go.unsigned_abs().checked_div(step).unwrap_or(0).saturating_add(1);
@@ -195,6 +207,12 @@ mod tests {
     struct Flat {
         columns: Range<i32>,
         depth: RowDepth,
+    }
+
+    impl RowDepth {
+        fn at(&self, column: i32) -> u32 {
+            self.depth.wrapping_add(self.across.wrapping_mul(bits(column)))
+        }
     }
 
     fn flats() -> impl Strategy<Value = Vec<Flat, 24>> {

@@ -13,10 +13,13 @@ use core::{convert::Infallible, fmt, ops::Range};
 
 use heapless::vec::{Vec, VecView};
 
-use self::buckets::{Buckets, NONE};
 pub use self::{
     buckets::RowBucket,
     listed::{ActiveFace, ListedFace},
+};
+use self::{
+    buckets::{Buckets, NONE},
+    listed::intersection,
 };
 use super::{Bounds, DrawError, Instance, MeshVertex, Scene, each_piece, prepared, surface::Surface};
 use crate::{
@@ -127,8 +130,8 @@ impl<'s, S: Shading, I: Illumination, const N: usize> Scanlines<'s, S, I, N> {
             let instance = low_u8(low_index(instance));
             let _: Result<(), Infallible> = each_piece(surface, &mut |triangle, piece| {
                 let piece_number = pieces.count((instance, triangle.face), piece.clipped.is_some());
-                let rows = intersection(rows(&piece.positions), window.rows());
-                if rows.is_empty() || intersection(columns(&piece.positions), window.columns()).is_empty() {
+                let rows = intersection(rows(&piece.positions), &window.rows());
+                if rows.is_empty() || intersection(columns(&piece.positions), &window.columns()).is_empty() {
                     return Ok(());
                 }
                 needed += 1;
@@ -162,17 +165,33 @@ impl<'s, S: Shading, I: Illumination, const N: usize> Scanlines<'s, S, I, N> {
     }
 
     /// Insertion sort by the left ends: from row to row little changes.
+    #[inline(never)]
     fn sort(&mut self) {
-        let left = |slot: u16| self.active.get(usize::from(slot)).map_or(0, |face| face.walk.columns().start);
-        for end in 1..self.order.len() {
-            let mut place = end;
-            while let Some([before, here]) = place.checked_sub(1).and_then(|from| self.order.get_mut(from..=place)) {
-                if left(*before) <= left(*here) {
-                    break;
-                }
-                core::mem::swap(before, here);
-                place -= 1;
+        let (mut place, mut farthest) = (0, i32::MIN);
+        while let Some(&slot) = self.order.get(place) {
+            let left = self.left(slot);
+            if left < farthest {
+                self.sink(place, left);
+            } else {
+                farthest = left;
             }
+            place += 1;
+        }
+    }
+
+    #[inline]
+    fn left(&self, slot: u16) -> i32 {
+        self.active.get(usize::from(slot)).map_or(i32::MIN, |face| face.columns.start)
+    }
+
+    /// Moves a face to the left, behind those that are not right of it.
+    fn sink(&mut self, mut place: usize, left: i32) {
+        while let Some(before) = place.checked_sub(1) {
+            if self.order.get(before).is_none_or(|&slot| self.left(slot) <= left) {
+                break;
+            }
+            self.order.swap(before, place);
+            place = before;
         }
     }
 
@@ -196,23 +215,25 @@ impl<'s, S: Shading, I: Illumination, const N: usize> Scanlines<'s, S, I, N> {
     }
 
     /// Finds who is seen in some columns.
+    #[inline(never)]
     fn resolve(&mut self, columns: Range<i32>) -> Result<(), Full> {
         let (active, mut scanline) = (&*self.active, Scanline::new(self.runs));
         let depths = |slot: u16| active.get(usize::from(slot)).map_or(RowDepth::FARTHEST, |face| face.depth);
         for &slot in self.order.iter() {
             if let Some(face) = active.get(usize::from(slot)) {
-                scanline.add(face.columns_in(&columns), slot, &depths)?;
+                scanline.add(intersection(face.columns.clone(), &columns), slot, &depths)?;
             }
         }
         Ok(())
     }
 
     /// Goes down a row: drops the faces that end, moves the others on.
+    #[inline(never)]
     fn step(&mut self) {
-        let mut slot = 0;
+        let (mut slot, window) = (0, self.window.columns());
         while let Some(face) = self.active.get_mut(slot) {
             if i32::from(face.end_row) > self.row {
-                face.advance(self.row);
+                face.advance(self.row, &window);
                 slot += 1;
             } else {
                 self.active.swap_remove(slot);
@@ -277,9 +298,4 @@ fn prepare<'s, S: Shading, B: Bounds, L: Lighting, const N: usize>(
         }
     }
     Ok(surfaces)
-}
-
-#[inline]
-fn intersection(a: Range<i32>, b: Range<i32>) -> Range<i32> {
-    a.start.max(b.start)..a.end.min(b.end)
 }

@@ -34,9 +34,11 @@ pub struct ListedFace {
 }
 
 /// A face that reaches into the present row.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub struct ActiveFace<F> {
-    pub(super) walk: Walk,
+    walk: Walk,
+    /// Its pixels in the row, as far as they lie in the window; maybe none, then the end may be before the start.
+    pub(super) columns: Range<i32>,
     pub(super) depth: RowDepth,
     /// What is added to the depth from row to row.
     down: u32,
@@ -69,7 +71,8 @@ impl ListedFace {
         let ([across], [down]) = (depth.across, depth.down);
         let end_row = low_i16(rows(&piece.positions).end.min(window.bottom));
         let depth = RowDepth { depth: at_origin, across, order };
-        Some(ActiveFace { walk, depth, down, end_row, instance: self.instance, face })
+        let columns = intersection(walk.columns(), &window.columns());
+        Some(ActiveFace { walk, columns, depth, down, end_row, instance: self.instance, face })
     }
 
     /// Its corners on the screen. Clipped pieces are cut anew, and counted.
@@ -91,17 +94,16 @@ impl ListedFace {
 }
 
 impl<F> ActiveFace<F> {
-    /// Its pixels in the present row, as far as they lie in some columns.
-    #[inline]
-    pub(super) fn columns_in(&self, columns: &Range<i32>) -> Range<i32> {
-        let own = self.walk.columns();
-        own.start.max(columns.start)..own.end.min(columns.end)
-    }
-
     /// Goes down to a row.
     #[inline]
-    pub(super) fn advance(&mut self, row: i32) {
+    pub(super) fn advance(&mut self, row: i32, window: &Range<i32>) {
         self.walk.advance(row);
+        self.columns = intersection(self.walk.columns(), window);
         self.depth.depth = self.depth.depth.wrapping_add(self.down);
     }
+}
+
+#[inline]
+pub(super) fn intersection(a: Range<i32>, b: &Range<i32>) -> Range<i32> {
+    a.start.max(b.start)..a.end.min(b.end)
 }
