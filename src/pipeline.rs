@@ -14,6 +14,7 @@ mod bounds;
 mod draw_error;
 mod draw_scene;
 mod fragments;
+mod listed;
 mod scanline;
 mod surface;
 mod unpainted;
@@ -47,7 +48,7 @@ pub use draw_error::DrawError;
 pub use draw_scene::{SceneMemory, draw_scene};
 pub use fragments::DepthBias;
 use fragments::{Fragments, MeshTriangle, Piece};
-pub use scanline::{ActiveFace, ListedFace, RowBucket, ScanlineMemory, Scanlines};
+pub use scanline::{ActiveFace, RowBucket, ScanlineMemory, Scanlines, WaitingFace};
 use surface::Surface;
 pub use unpainted::Unpainted;
 use vertex::ClipVertex;
@@ -272,7 +273,7 @@ fn each_piece<S: Shading, I: Illumination, E>(
     };
     let listed = list.iter().enumerate().map(|(number, &corners)| Face { corners, number });
     for face in listed.chain(others.into_iter().flatten()) {
-        let vertices = surface.vertices_of(face);
+        let vertices = surface.vertices_of(face.corners);
         let [a, b, c] = &vertices;
         if !(a.is_projected() && b.is_projected() && c.is_projected()) {
             each_clipped(surface, face, take)?;

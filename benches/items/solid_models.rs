@@ -175,7 +175,7 @@ const fn next(state: i64) -> i64 {
 
 /// From −reach to reach.
 const fn within(state: i64, reach: i32) -> i32 {
-    ((state >> 14) as i32 - (1 << 16)) * (reach >> 4) >> 12
+    (((state >> 14) as i32 - (1 << 16)) * (reach >> 4)) >> 12
 }
 
 const fn vertex(i: usize, j: usize) -> u16 {

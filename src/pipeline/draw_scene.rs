@@ -5,7 +5,7 @@ use core::{convert::Infallible, fmt};
 use heapless::vec::Vec;
 
 use super::{
-    ActiveFace, Bounds, DrawError, Instance, ListedFace, MeshVertex, RowBucket, ScanlineMemory, Scanlines, Scene,
+    ActiveFace, Bounds, DrawError, Instance, MeshVertex, RowBucket, ScanlineMemory, Scanlines, Scene, WaitingFace,
 };
 use crate::{
     fragment::shade::{Gouraud, Shading},
@@ -20,7 +20,7 @@ use crate::{
 /// that it can be a `static`.
 pub struct SceneMemory<const VERTICES: usize, const FACES: usize, const ACTIVE: usize, S: Shading = Gouraud> {
     vertices: [MeshVertex; VERTICES],
-    faces: Vec<ListedFace, FACES>,
+    faces: Vec<WaitingFace, FACES>,
     buckets: [RowBucket; BUCKETS],
     active: Vec<ActiveFace<S::Face>, ACTIVE>,
     order: Vec<u16, ACTIVE>,

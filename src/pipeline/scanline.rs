@@ -6,30 +6,30 @@
 //!                               reach the row                      algorithm
 //! ```
 
+mod active;
 mod buckets;
-mod listed;
 
 use core::{convert::Infallible, fmt, ops::Range};
 
 use heapless::vec::{Vec, VecView};
 
+use self::buckets::{Buckets, NONE};
 pub use self::{
+    active::{ActiveFace, WaitingFace},
     buckets::RowBucket,
-    listed::{ActiveFace, ListedFace},
 };
-use self::{
-    buckets::{Buckets, NONE},
-    listed::intersection,
+use super::{
+    Bounds, DrawError, Instance, MeshVertex, Scene,
+    listed::{each_listed, intersection, prepare},
+    surface::Surface,
 };
-use super::{Bounds, DrawError, Instance, MeshVertex, Scene, each_piece, prepared, surface::Surface};
 use crate::{
     fragment::shade::Shading,
     geometry::light::Lighting,
     hidden::scanline::{Full, RowDepth, Scanline, VisibleRun},
     illumination::Illumination,
-    model::assembly::Face,
-    num::{count_i32, low_index, low_u8, low_u16},
-    raster::walk::{columns, rows},
+    num::{count_i32, low_index, low_u16},
+    raster::walk::rows,
     space::Rect,
     target::Target,
 };
@@ -40,7 +40,7 @@ pub struct ScanlineMemory<'m, F> {
     /// One for each vertex of all instances.
     pub vertices: &'m mut [MeshVertex],
     /// Room for the faces that show in the picture: those that face the eye, about half of closed solids.
-    pub faces: &'m mut VecView<ListedFace>,
+    pub faces: &'m mut VecView<WaitingFace>,
     /// At least one. With as many as there are rows, the room for active faces is counted to the face; with fewer,
     /// more may be asked for than are active at once.
     pub buckets: &'m mut [RowBucket],
@@ -55,7 +55,7 @@ pub struct ScanlineMemory<'m, F> {
 /// A picture that is drawn row by row.
 pub struct Scanlines<'s, S: Shading, I, const N: usize> {
     surfaces: Vec<Surface<'s, S, I>, N>,
-    faces: &'s mut VecView<ListedFace>,
+    faces: &'s mut VecView<WaitingFace>,
     buckets: Buckets<'s>,
     active: &'s mut VecView<ActiveFace<S::Face>>,
     order: &'s mut VecView<u16>,
@@ -125,42 +125,32 @@ impl<'s, S: Shading, I: Illumination, const N: usize> Scanlines<'s, S, I, N> {
     fn list(&mut self) -> Result<(), DrawError<Infallible>> {
         let Self { surfaces, faces, buckets, window, .. } = self;
         faces.clear();
-        let (mut needed, mut pieces) = (0_usize, Pieces::default());
-        for (instance, surface) in surfaces.iter().enumerate() {
-            let instance = low_u8(low_index(instance));
-            let _: Result<(), Infallible> = each_piece(surface, &mut |triangle, piece| {
-                let piece_number = pieces.count((instance, triangle.face), piece.clipped.is_some());
-                let rows = intersection(rows(&piece.positions), &window.rows());
-                if rows.is_empty() || intersection(columns(&piece.positions), &window.columns()).is_empty() {
-                    return Ok(());
-                }
-                needed += 1;
-                let place = low_u16(count_i32(faces.len()));
-                let listed = ListedFace::new(triangle, piece_number, rows.start, instance);
-                if let Some(mut listed) = listed.filter(|_| place != NONE && !faces.is_full()) {
-                    listed.next = buckets.insert(place, &rows);
-                    // There is room.
-                    let _ = faces.push(listed);
-                }
-                Ok(())
-            });
-        }
+        let mut needed = 0_usize;
+        each_listed(surfaces, *window, &mut |listed, piece| {
+            needed = needed.saturating_add(1);
+            let (place, rows) = (low_u16(count_i32(faces.len())), intersection(rows(&piece.positions), &window.rows()));
+            if let Some(listed) = listed.filter(|_| place != NONE && !faces.is_full()) {
+                let mut face = WaitingFace::new(listed, rows.start);
+                face.next = buckets.insert(place, &rows);
+                // There is room.
+                let _ = faces.push(face);
+            }
+        });
         if needed > faces.len() { Err(DrawError::TooFewFaces { needed }) } else { Ok(()) }
     }
 
     /// Takes up the faces that begin in this row.
     fn activate(&mut self) {
         let mut at = self.buckets.first(self.row);
-        while let Some(listed) = self.faces.get(usize::from(at)) {
-            let surface = self.surfaces.get(usize::from(listed.instance));
-            if let Some(surface) = surface.filter(|_| i32::from(listed.first_row) == self.row) {
+        while let Some(face) = self.faces.get(usize::from(at)) {
+            if i32::from(face.first_row) == self.row {
                 let slot = low_u16(count_i32(self.active.len()));
-                if let Some(face) = listed.begin(surface, (self.row, at), self.window) {
+                if let Some(active) = face.begin(&self.surfaces, (self.row, at), self.window) {
                     // There is room for both: they were counted.
-                    let _ = (self.active.push(face), self.order.push(slot));
+                    let _ = (self.active.push(active), self.order.push(slot));
                 }
             }
-            at = listed.next;
+            at = face.next;
         }
     }
 
@@ -206,7 +196,7 @@ impl<'s, S: Shading, I: Illumination, const N: usize> Scanlines<'s, S, I, N> {
             }
             for run in self.runs.iter() {
                 let Some(active) = self.active.get(usize::from(run.surface())) else { continue };
-                let Some(surface) = self.surfaces.get(usize::from(active.instance)) else { continue };
+                let Some(surface) = active.listed.surface(&self.surfaces) else { continue };
                 surface.shading.paint(&surface.light, &active.face, (self.row, run.columns()), target)?;
             }
             columns.start = end;
@@ -254,48 +244,4 @@ impl<S: Shading, I, const N: usize> fmt::Debug for Scanlines<'_, S, I, N> {
         let (faces, active) = (faces.len(), active.len());
         write!(f, "Scanlines {{ window: {window:?}, row: {row}, faces: {faces}, active: {active} }}")
     }
-}
-
-/// Counts the pieces of faces that are clipped, from 1 on; whole ones have number 0.
-#[derive(Default)]
-struct Pieces {
-    last: Option<(u8, Face)>,
-    number: u8,
-}
-
-impl Pieces {
-    fn count(&mut self, face: (u8, Face), is_clipped: bool) -> u8 {
-        let again = self.last == Some(face);
-        self.last = Some(face);
-        self.number = if !is_clipped {
-            0
-        } else if again {
-            self.number.saturating_add(1)
-        } else {
-            1
-        };
-        self.number
-    }
-}
-
-/// Vertex processing of all instances; those of which nothing is seen are left out.
-fn prepare<'s, S: Shading, B: Bounds, L: Lighting, const N: usize>(
-    instances: &'s [Instance<'_, S, B>; N],
-    scene: &Scene<L>,
-    vertices: &'s mut [MeshVertex],
-) -> Result<Vec<Surface<'s, S, L::Illumination>, N>, DrawError<Infallible>> {
-    let counts = instances.iter().map(|instance| instance.mesh.positions().len());
-    let (needed, mut left, mut surfaces) = (counts.fold(0, usize::saturating_add), vertices, Vec::new());
-    if left.len() < needed {
-        return Err(DrawError::TooFewVertices { needed });
-    }
-    for instance in instances {
-        let (own, others) = left.split_at_mut_checked(instance.mesh.positions().len()).unwrap_or_default();
-        left = others;
-        if let Some(surface) = prepared(instance, scene, own)? {
-            // There is room for as many as there are instances.
-            let _ = surfaces.push(surface);
-        }
-    }
-    Ok(surfaces)
 }

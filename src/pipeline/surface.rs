@@ -13,7 +13,7 @@ use crate::{
         viewport::{ScreenPoint, Viewport},
     },
     illumination::Illumination,
-    model::{assembly::Face, mesh::Mesh},
+    model::mesh::Mesh,
     num::Scalar,
     pipeline::fragments::{DepthBias, MeshTriangle},
     space::{Clip, Point4},
@@ -92,8 +92,7 @@ impl<S: Shading, I: Illumination> Surface<'_, S, I> {
 
     /// Those of a face.
     #[inline]
-    pub(super) fn vertices_of(&self, face: Face) -> [MeshVertex; 3] {
-        let [a, b, c] = face.corners;
+    pub(super) fn vertices_of(&self, [a, b, c]: [u16; 3]) -> [MeshVertex; 3] {
         [self.vertex(a), self.vertex(b), self.vertex(c)]
     }
 

@@ -1,0 +1,139 @@
+//! The faces of several instances that show in a picture, in a list that is lent.
+
+use core::{convert::Infallible, ops::Range};
+
+use heapless::vec::Vec;
+
+use super::{
+    Bounds, DrawError, Instance, MeshVertex, Scene, each_clipped, each_piece,
+    fragments::{MeshTriangle, Piece},
+    prepared,
+    surface::Surface,
+};
+use crate::{
+    fragment::shade::Shading,
+    geometry::{face::Side, light::Lighting},
+    illumination::Illumination,
+    model::assembly::Face,
+    num::{low_index, low_u8},
+    raster::walk::{columns, rows},
+    space::Rect,
+};
+
+/// A face that shows in the picture: 12 bytes.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct ListedFace {
+    corners: [u16; 3],
+    number: u16,
+    instance: u8,
+    side: Side,
+    /// Which piece of a face that is clipped, from 1 on; 0 for a whole one.
+    piece: u8,
+}
+
+impl ListedFace {
+    /// `None` for faces with a number of more than 16 bits.
+    fn new(triangle: &MeshTriangle, piece: u8, instance: u8) -> Option<Self> {
+        let MeshTriangle { face: Face { corners, number }, side } = *triangle;
+        Some(Self { corners, number: u16::try_from(number).ok()?, instance, side, piece })
+    }
+
+    /// The instance that it belongs to, among those that are seen.
+    #[inline]
+    pub(super) fn surface<'l, 's, S, I>(&self, surfaces: &'l [Surface<'s, S, I>]) -> Option<&'l Surface<'s, S, I>> {
+        surfaces.get(usize::from(self.instance))
+    }
+
+    /// The triangle of its mesh.
+    pub(super) fn triangle(&self) -> MeshTriangle {
+        MeshTriangle { face: Face { corners: self.corners, number: self.number.into() }, side: self.side }
+    }
+
+    /// Where it is on the screen. Clipped pieces are cut anew, and counted.
+    pub(super) fn piece<S: Shading, I: Illumination>(
+        &self,
+        surface: &Surface<'_, S, I>,
+    ) -> Option<Piece<S::Attributes>> {
+        let Face { corners, number } = self.triangle().face;
+        if self.piece == 0 {
+            return Some(Piece::of_vertices(&surface.vertices_of(corners)));
+        }
+        let mut left = self.piece;
+        each_clipped(surface, Face { corners, number }, &mut |_, piece| {
+            left -= 1;
+            if left == 0 { Err(*piece) } else { Ok(()) }
+        })
+        .err()
+    }
+}
+
+/// Shows each face of the instances of which something is in a window: what is listed of it, `None` if it has too high a
+/// number, and where it is.
+pub(super) fn each_listed<S: Shading, I: Illumination>(
+    surfaces: &[Surface<'_, S, I>],
+    window: Rect,
+    take: &mut impl FnMut(Option<ListedFace>, &Piece<S::Attributes>),
+) {
+    let mut pieces = Pieces::default();
+    for (instance, surface) in surfaces.iter().enumerate() {
+        let instance = low_u8(low_index(instance));
+        let Ok(()) = each_piece::<_, _, Infallible>(surface, &mut |triangle, piece| {
+            let number = pieces.count((instance, triangle.face), piece.clipped.is_some());
+            let rows = intersection(rows(&piece.positions), &window.rows());
+            let columns = intersection(columns(&piece.positions), &window.columns());
+            if !rows.is_empty() && !columns.is_empty() {
+                take(ListedFace::new(triangle, number, instance), piece);
+            }
+            Ok(())
+        });
+    }
+}
+
+/// Counts the pieces of faces that are clipped, from 1 on; whole ones have number 0.
+#[derive(Default)]
+struct Pieces {
+    last: Option<(u8, Face)>,
+    number: u8,
+}
+
+impl Pieces {
+    fn count(&mut self, face: (u8, Face), is_clipped: bool) -> u8 {
+        let again = self.last == Some(face);
+        self.last = Some(face);
+        self.number = if !is_clipped {
+            0
+        } else if again {
+            self.number.saturating_add(1)
+        } else {
+            1
+        };
+        self.number
+    }
+}
+
+/// Vertex processing of all instances; those of which nothing is seen are left out.
+pub(super) fn prepare<'s, S: Shading, B: Bounds, L: Lighting, const N: usize>(
+    instances: &'s [Instance<'_, S, B>; N],
+    scene: &Scene<L>,
+    vertices: &'s mut [MeshVertex],
+) -> Result<Vec<Surface<'s, S, L::Illumination>, N>, DrawError<Infallible>> {
+    let counts = instances.iter().map(|instance| instance.mesh.positions().len());
+    let (needed, mut left, mut surfaces) = (counts.fold(0, usize::saturating_add), vertices, Vec::new());
+    if left.len() < needed {
+        return Err(DrawError::TooFewVertices { needed });
+    }
+    for instance in instances {
+        let (own, others) = left.split_at_mut_checked(instance.mesh.positions().len()).unwrap_or_default();
+        left = others;
+        if let Some(surface) = prepared(instance, scene, own)? {
+            // There is room for as many as there are instances.
+            let _ = surfaces.push(surface);
+        }
+    }
+    Ok(surfaces)
+}
+
+#[inline]
+pub(super) fn intersection(a: Range<i32>, b: &Range<i32>) -> Range<i32> {
+    a.start.max(b.start)..a.end.min(b.end)
+}
