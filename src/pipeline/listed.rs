@@ -112,13 +112,17 @@ impl Pieces {
 }
 
 /// Vertex processing of all instances; those of which nothing is seen are left out.
+///
+/// Into a list that is there: surfaces are too large to be handed around on the stack of a small core.
+#[inline(never)]
 pub(super) fn prepare<'s, S: Shading, B: Bounds, L: Lighting, const N: usize>(
     instances: &'s [Instance<'_, S, B>; N],
     scene: &Scene<L>,
     vertices: &'s mut [MeshVertex],
-) -> Result<Vec<Surface<'s, S, L::Illumination>, N>, DrawError<Infallible>> {
+    surfaces: &mut Vec<Surface<'s, S, L::Illumination>, N>,
+) -> Result<(), DrawError<Infallible>> {
     let counts = instances.iter().map(|instance| instance.mesh.positions().len());
-    let (needed, mut left, mut surfaces) = (counts.fold(0, usize::saturating_add), vertices, Vec::new());
+    let (needed, mut left) = (counts.fold(0, usize::saturating_add), vertices);
     if left.len() < needed {
         return Err(DrawError::TooFewVertices { needed });
     }
@@ -130,7 +134,7 @@ pub(super) fn prepare<'s, S: Shading, B: Bounds, L: Lighting, const N: usize>(
             let _ = surfaces.push(surface);
         }
     }
-    Ok(surfaces)
+    Ok(())
 }
 
 #[inline]

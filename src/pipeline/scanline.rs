@@ -80,7 +80,7 @@ impl<'s, S: Shading, I: Illumination, const N: usize> Scanlines<'s, S, I, N> {
         let ScanlineMemory { vertices, faces, buckets, active, order, runs } = memory;
         let window = window.intersection(scene.camera.viewport.rect());
         let mut picture = Self {
-            surfaces: prepare(instances, scene, vertices)?,
+            surfaces: Vec::new(),
             faces,
             buckets: Buckets::new(buckets, window),
             active,
@@ -89,6 +89,7 @@ impl<'s, S: Shading, I: Illumination, const N: usize> Scanlines<'s, S, I, N> {
             window,
             row: window.top,
         };
+        prepare(instances, scene, vertices, &mut picture.surfaces)?;
         picture.active.clear();
         picture.order.clear();
         picture.list()?;
@@ -122,6 +123,7 @@ impl<'s, S: Shading, I: Illumination, const N: usize> Scanlines<'s, S, I, N> {
     }
 
     /// Puts the faces that can be seen into the buckets of their first rows.
+    #[inline(never)]
     fn list(&mut self) -> Result<(), DrawError<Infallible>> {
         let Self { surfaces, faces, buckets, window, .. } = self;
         faces.clear();
@@ -140,6 +142,7 @@ impl<'s, S: Shading, I: Illumination, const N: usize> Scanlines<'s, S, I, N> {
     }
 
     /// Takes up the faces that begin in this row.
+    #[inline(never)]
     fn activate(&mut self) {
         let mut at = self.buckets.first(self.row);
         while let Some(face) = self.faces.get(usize::from(at)) {
