@@ -127,6 +127,7 @@ struct Painter<'p, 'f, S: Shading, I, H, T> {
 
 impl<S: Shading, I: Illumination, H: Hidden, T> Painter<'_, '_, S, I, H, T> {
     /// Most small triangles end before this, because they hold no pixel's centre.
+    #[inline(never)]
     fn begin(surface: &Surface<'_, S, I>, triangle: &MeshTriangle, piece: &Piece<S::Attributes>) -> Begun<S::Face> {
         let corners = surface.corners(triangle);
         let slopes = Slopes::new(&piece.positions);
