@@ -204,33 +204,41 @@ impl<C: PixelColor, L: Layout<C>, B: AsRef<[u8]>> Frame<C, L, B> {
 }
 
 impl<C: PixelColor, L: Layout<C>, B: AsMut<[u8]>> Frame<C, L, B> {
-    fn rect(&self) -> Rect {
-        Rect::of_size(Size::new(self.width, self.height))
-    }
-
-    /// The part of a run that is inside, if any is. Most are inside as a whole, which takes three comparisons to
-    /// see: negative numbers are beyond any size as unsigned ones.
+    /// The part of a run that is inside, if any is: the memory, the row in it, and the columns.
     #[inline]
-    fn visible(&self, row: i32, columns: Range<i32>) -> Option<Range<i32>> {
-        let (start, end) = (bits(columns.start), bits(columns.end));
-        let is_inside = bits(row) < self.height && end <= self.width && start < end;
-        if is_inside { Some(columns) } else { self.rect().clip_run(row, columns) }
+    fn visible(&mut self, row: i32, columns: &Range<i32>) -> Option<(Memory<&mut [u8]>, usize, Range<usize>)> {
+        let start = columns.start.max(0);
+        // A negative row is beyond any height as an unsigned one.
+        if bits(row) >= self.height || start >= columns.end {
+            return None;
+        }
+        let (start, end) = (bits(start), bits(columns.end).min(self.width));
+        if start >= end {
+            return None;
+        }
+        Some((self.lines_mut()?, position(bits(row)), position(start)..position(end)))
     }
 
     /// The picture's bytes from the first line on, for a layout to write.
     #[inline]
     pub(super) fn memory_mut(&mut self) -> Memory<&mut [u8]> {
+        self.lines_mut().unwrap_or(Memory { bytes: &mut [], stride: 0 })
+    }
+
+    /// The same; never `None`, but the compiler does not know.
+    #[inline]
+    fn lines_mut(&mut self) -> Option<Memory<&mut [u8]>> {
         let memory = self.bytes.as_mut();
         // Only planes need to know where the picture ends; the others save the look.
         let end = if L::SHAPE.planes > 1 { self.end } else { memory.len() };
-        let bytes = memory.get_mut(self.spacing.before..end).unwrap_or_default();
-        Memory { bytes, stride: self.spacing.stride }
+        let bytes = memory.get_mut(self.spacing.before..end)?;
+        Some(Memory { bytes, stride: self.spacing.stride })
     }
 
     /// Fills the visible part of an area that is not all inside.
     #[cold]
     fn fill_clipped(&mut self, area: &Rectangle, color: C) {
-        let visible = Rect::from(*area).intersection(self.rect());
+        let visible = Rect::from(*area).intersection(self.bounds());
         if !visible.is_empty() {
             let rows = index(visible.top)..index(visible.bottom);
             L::fill_solid(self.memory_mut(), rows, index(visible.left)..index(visible.right), color);
@@ -243,19 +251,18 @@ impl<C: PixelColor, L: Layout<C>, B: AsMut<[u8]>> Target for Frame<C, L, B> {
     type Error = Infallible;
 
     fn bounds(&self) -> Rect {
-        self.rect()
+        Rect::of_size(self.size())
     }
 
     fn fill_run<const N: usize>(&mut self, row: i32, columns: Range<i32>, colors: [C; N]) -> Result<(), Infallible> {
-        if let Some(visible) = self.visible(row, columns) {
-            let (line, columns) = (index(row), index(visible.start)..index(visible.end));
+        if let Some((memory, row, visible)) = self.visible(row, &columns) {
             if let [color] = *colors.as_slice() {
-                L::fill_solid(self.memory_mut(), line..line + 1, columns, color);
+                L::fill_solid(memory, row..row + 1, visible, color);
             } else if let Some(colors) = eight(&colors) {
-                L::fill(self.memory_mut(), line..line + 1, columns, colors);
+                L::fill(memory, row..row + 1, visible, colors);
             } else {
-                let colors = repeated(&colors, visible.start).take(visible.len()).map(Some);
-                L::write(self.memory_mut(), line, columns.start, colors);
+                let colors = repeated(&colors, columns.start.max(0)).take(visible.len()).map(Some);
+                L::write(memory, row, visible.start, colors);
             }
         }
         Ok(())
@@ -267,13 +274,11 @@ impl<C: PixelColor, L: Layout<C>, B: AsMut<[u8]>> Target for Frame<C, L, B> {
         columns: Range<i32>,
         mut colors: impl Iterator<Item = Option<C>>,
     ) -> Result<(), Infallible> {
-        if let Some(visible) = self.rect().clip_run(row, columns.clone()) {
-            let hidden = index(visible.start.saturating_sub(columns.start));
-            let (start, end) = (index(visible.start), index(visible.end));
-            if let Some(last) = hidden.checked_sub(1) {
+        if let Some((memory, row, visible)) = self.visible(row, &columns) {
+            if let Some(last) = index(columns.start.saturating_neg()).checked_sub(1) {
                 colors.nth(last);
             }
-            L::write(self.memory_mut(), index(row), start, colors.take(end - start));
+            L::write(memory, row, visible.start, colors.take(visible.len()));
         }
         Ok(())
     }
@@ -283,16 +288,17 @@ impl<C: PixelColor, L: Layout<C>, B: AsMut<[u8]>> Target for Frame<C, L, B> {
         // Negative numbers are beyond any size as unsigned ones.
         let (row, column) = (bits(row), bits(column));
         if row < self.height && column < self.width {
-            L::set(self.memory_mut(), position(row), position(column), color);
+            if let Some(memory) = self.lines_mut() {
+                L::set(memory, position(row), position(column), color);
+            }
         }
         Ok(())
     }
 
     #[inline]
     fn fill_bits(&mut self, row: i32, columns: Range<i32>, colors: [C; 2], byte: u8) -> Result<(), Infallible> {
-        if let Some(visible) = self.visible(row, columns) {
-            let columns = position(bits(visible.start))..position(bits(visible.end));
-            L::fill_bits((self.memory_mut(), position(bits(row))), columns, colors, byte);
+        if let Some((memory, row, visible)) = self.visible(row, &columns) {
+            L::fill_bits((memory, row), visible, colors, byte);
         }
         Ok(())
     }
@@ -305,18 +311,18 @@ impl<C: PixelColor, L: Layout<C>, B: AsMut<[u8]>> Target for Frame<C, L, B> {
         colors: [C; 2],
         mut next: impl FnMut() -> u8,
     ) -> Result<(), Infallible> {
-        if let Some(visible) = self.visible(row, columns.clone()) {
-            for _ in columns.start >> 3..visible.start >> 3 {
+        if let Some((memory, row, visible)) = self.visible(row, &columns) {
+            // Whole bytes before the frame.
+            for _ in columns.start >> 3..columns.start.max(0) >> 3 {
                 next();
             }
-            let columns = position(bits(visible.start))..position(bits(visible.end));
-            L::write_bits((self.memory_mut(), position(bits(row))), columns, colors, next);
+            L::write_bits((memory, row), visible, colors, next);
         }
         Ok(())
     }
 
     fn fill_tile(&mut self, area: Rect, tile: &[[C; 8]; 8]) -> Result<(), Infallible> {
-        let visible = area.intersection(self.rect());
+        let visible = area.intersection(self.bounds());
         if !visible.is_empty() {
             let rows = index(visible.top)..index(visible.bottom);
             L::fill_tile(self.memory_mut(), rows, index(visible.left)..index(visible.right), tile);

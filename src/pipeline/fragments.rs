@@ -126,7 +126,7 @@ struct Painter<'p, 'f, S: Shading, I, H, T> {
 }
 
 /// Begins a triangle. Most small triangles end before this, because they hold no pixel's centre.
-#[inline]
+#[inline(never)]
 pub(super) fn begin<S: Shading, I: Illumination>(
     surface: &Surface<'_, S, I>,
     triangle: &MeshTriangle,

@@ -19,7 +19,7 @@ use core::ops::Range;
 use super::{Dithered, Mask};
 use crate::{
     colour::Light,
-    num::{FRACTION_16_15, bits, from_16_15, index, low_index, to_16_15},
+    num::{FRACTION_16_15, bits, from_16_15, index, low_index, low_u8, to_16_15},
     target::{Code, Target},
     vary::Ramp,
 };
@@ -35,27 +35,33 @@ pub(super) struct Switches {
     known: u8,
     /// … and between which level and the next.
     code: u8,
-    flat: Flat,
+    /// The last flat light of each row.
+    flat: [Flat; 8],
 }
 
-/// In which of eight columns one light shows the brighter code, the first of them in the highest bit.
+/// How one light is shown in a row.
 #[derive(Clone, Copy, Debug)]
 struct Flat {
     light: Light,
-    rows: [u8; 8],
-    /// Of which rows, a bit each.
-    known: u8,
+    /// The darker of its two codes …
+    code: u8,
+    /// … and in which of eight columns the brighter one is shown, the first of them in the highest bit.
+    byte: u8,
+}
+
+impl Flat {
+    /// Black is the darkest code everywhere.
+    const BLACK: Self = Self { light: Light::BLACK, code: 0, byte: 0 };
 }
 
 impl Switches {
-    pub(super) const UNKNOWN: Self =
-        Self { rows: [[0; 8]; 8], known: 0, code: 0, flat: Flat { light: Light::BLACK, rows: [0; 8], known: 0 } };
+    pub(super) const UNKNOWN: Self = Self { rows: [[0; 8]; 8], known: 0, code: 0, flat: [Flat::BLACK; 8] };
 
     /// Those of the columns 0 to 7 of a row, of which every eighth is alike, above the level of a code.
     #[inline]
     fn of_row(&mut self, code: u8, row: i32, exceeded: impl FnOnce() -> [u32; 8]) -> &[u32; 8] {
         if self.code != code {
-            (self.code, self.known, self.flat.known) = (code, 0, 0);
+            (self.code, self.known) = (code, 0);
         }
         let phase = index(row & 7);
         if self.known >> phase & 1 == 0 {
@@ -67,25 +73,6 @@ impl Switches {
         }
         self.rows.get(phase).unwrap_or(&[u32::MAX; 8])
     }
-
-    /// The columns of a row in which a light shows the brighter code.
-    #[inline]
-    fn flat(&mut self, light: Light, code: u8, row: i32, exceeded: impl FnOnce() -> [u32; 8]) -> u8 {
-        if self.flat.light != light || self.code != code {
-            (self.flat.light, self.flat.known) = (light, 0);
-        }
-        let phase = index(row & 7);
-        if self.flat.known >> phase & 1 == 0 {
-            let fine = to_16_15(light.0);
-            let switches = self.of_row(code, row, exceeded);
-            let byte = switches.iter().fold(0, |byte, switch| byte << 1 | u8::from(fine >= *switch));
-            if let Some(row) = self.flat.rows.get_mut(phase) {
-                *row = byte;
-            }
-            self.flat.known |= 1 << phase;
-        }
-        self.flat.rows.get(phase).copied().unwrap_or_default()
-    }
 }
 
 impl<T: Target, M: Mask> Dithered<'_, '_, T, M>
@@ -95,11 +82,31 @@ where
     /// A run of one light.
     #[inline]
     pub(super) fn fill_flat(&mut self, row: i32, columns: Range<i32>, light: Light) -> Result<(), T::Error> {
+        let last = self.switches.flat.get(index(row & 7)).copied().unwrap_or(Flat::BLACK);
+        let Flat { code, byte, .. } = if last.light == light { last } else { self.find_flat(row, light) };
+        self.target.fill_bits(row, columns, neighbours(code), byte)
+    }
+
+    /// How a light is shown in a row, which is kept for the next run.
+    #[inline]
+    fn find_flat(&mut self, row: i32, light: Light) -> Flat {
         self.shades.move_to(light);
         let code = self.shades.darker();
         let (shades, mask) = (&self.shades, &self.mask);
-        let byte = self.switches.flat(light, code, row, || shades.switches(mask.eight(row)));
-        self.target.fill_bits(row, columns, [code, code.wrapping_add(1)].map(T::Color::from_code), byte)
+        let switches = self.switches.of_row(code, row, || shades.switches(mask.eight(row)));
+        // Below zero, so that the highest bit is set, where the switch is reached.
+        let below = to_16_15(light.0) + 1;
+        let bits =
+            |switches: &[u32]| switches.iter().fold(0, |bits, switch| bits << 1 | switch.wrapping_sub(below) >> 31);
+        let byte = low_u8(match switches {
+            [a @ .., _, _, _, _] if M::IN_FOUR => bits(a) * 0x11,
+            all => bits(all),
+        });
+        let flat = Flat { light, code, byte: byte ^ turned::<T::Color>(code) };
+        if let Some(last) = self.switches.flat.get_mut(index(row & 7)) {
+            *last = flat;
+        }
+        flat
     }
 
     /// Draws a run in the best way.
@@ -127,16 +134,17 @@ where
     #[inline]
     fn draw_in_one_step(&mut self, row: i32, columns: Range<i32>, ramp: Ramp<1>) -> Result<(), T::Error> {
         let code = self.shades.darker();
-        let colors = [T::Color::from_code(code), T::Color::from_code(code.wrapping_add(1))];
+        let turned = turned::<T::Color>(code);
         // From a multiple of eight on: what lies before the run is not written.
         let mut ramp = ramp.skipped(bits(columns.start & 7).wrapping_neg());
         let (shades, mask) = (&self.shades, &self.mask);
         let switches = self.switches.of_row(code, row, || shades.switches(mask.eight(row)));
-        self.target.write_bits(row, columns, colors, move || {
-            switches.iter().fold(0, |byte, switch| {
+        self.target.write_bits(row, columns, neighbours(code), move || {
+            let byte = switches.iter().fold(0, |byte, switch| {
                 let [light] = ramp.next_fine();
                 byte << 1 | u8::from(light >= *switch)
-            })
+            });
+            byte ^ turned
         })
     }
 
@@ -197,6 +205,20 @@ where
         // The fraction of the light itself does not count: it is below the next whole one.
         if step > 0 { all.filter(|&switch| switch > fine).min() } else { all.filter(|&switch| switch <= fine).max() }
     }
+}
+
+/// The colours of a code and of the next, between which bits choose that are [turned over](turned).
+///
+/// With one bit a pixel, a code and the next are always off and on, in either order: constants.
+#[inline]
+fn neighbours<C: Code>(code: u8) -> [C; 2] {
+    if C::BITS == 1 { [0, 1].map(C::from_code) } else { [code, code.wrapping_add(1)].map(C::from_code) }
+}
+
+/// Which bits are to be turned over, if on comes before off: all or none.
+#[inline]
+const fn turned<C: Code>(code: u8) -> u8 {
+    if C::BITS == 1 { 0_u8.wrapping_sub(code & 1) } else { 0 }
 }
 
 /// After how many steps a light that rises has reached a switch, or one that falls is below it.

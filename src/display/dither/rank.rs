@@ -129,6 +129,7 @@ const fn threshold_of(rank: u8, half_step: u32) -> u16 {
 
 impl<const W: usize, const H: usize> Mask for RankMask<'_, W, H> {
     const REPEATS: bool = W > 0 && H > 0 && 8 % W == 0 && 8 % H == 0;
+    const IN_FOUR: bool = W > 0 && 4 % W == 0;
 
     #[inline]
     fn threshold(&self, column: i32, row: i32) -> u16 {

@@ -42,8 +42,7 @@ impl BitRun {
     /// Writes the bytes that the run touches in one line.
     #[inline]
     pub(super) fn write(&self, memory: Memory<&mut [u8]>, line: usize, mut next: impl FnMut() -> u8) {
-        let Some((bytes, _)) = memory.from(line, self.first) else { return };
-        match bytes.get_mut(..=self.last.wrapping_sub(self.first)) {
+        match memory.run(line, self.first..=self.last) {
             Some([only]) => merge(only, self.head & self.tail, next()),
             Some([first, middle @ .., last]) => {
                 merge(first, self.head, next());
@@ -62,29 +61,33 @@ impl BitRun {
         if self.first == self.last {
             fill_column((bytes, stride), lines, (self.head & self.tail, value));
         } else {
-            bytes.chunks_mut(stride).take(lines).for_each(|line| self.fill_line(line, value));
+            bytes.chunks_mut(stride).take(lines).for_each(|line| {
+                if let Some(bytes) = line.get_mut(..=self.last.wrapping_sub(self.first)) {
+                    self.fill_bytes(bytes, value);
+                }
+            });
         }
     }
 
     /// The same in one line.
     #[inline]
     pub(super) fn fill_one(&self, memory: Memory<&mut [u8]>, line: usize, value: u8) {
-        if let Some((bytes, _)) = memory.from(line, self.first) {
-            self.fill_line(bytes, value);
+        if let Some(bytes) = memory.run(line, self.first..=self.last) {
+            self.fill_bytes(bytes, value);
         }
     }
 
-    /// One line, given from the first byte of the run on.
+    /// The bytes of the run in one line.
     #[inline]
-    fn fill_line(&self, line: &mut [u8], value: u8) {
-        match line.get_mut(..=self.last.wrapping_sub(self.first)) {
-            Some([only]) => merge(only, self.head & self.tail, value),
-            Some([first, middle @ .., last]) => {
+    fn fill_bytes(&self, bytes: &mut [u8], value: u8) {
+        match bytes {
+            [only] => merge(only, self.head & self.tail, value),
+            [first, middle @ .., last] => {
                 merge(first, self.head, value);
                 merge(last, self.tail, value);
                 fill_bytes(middle, value);
             }
-            _ => {}
+            [] => {}
         }
     }
 
@@ -140,17 +143,17 @@ const WORD: usize = size_of::<usize>();
 /// Fills whole bytes with one value.
 #[inline]
 fn fill_bytes(bytes: &mut [u8], value: u8) {
-    // The call of a block fill pays from some words on.
-    if bytes.len() >= 32 {
-        bytes.fill(value);
-        return;
-    }
     // The last word first: it holds what is left over behind whole ones.
     let Some(last) = bytes.last_chunk_mut() else {
         fill_few(bytes, value);
         return;
     };
     *last = [value; WORD];
+    // The call of a block fill pays from some words on.
+    if bytes.len() >= 32 {
+        bytes.fill(value);
+        return;
+    }
     for word in bytes.chunks_exact_mut(WORD) {
         word.copy_from_slice(&[value; WORD]);
     }

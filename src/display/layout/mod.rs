@@ -33,7 +33,10 @@ pub use planes::Planes;
 pub use rows::Rows;
 pub use words::Words;
 
-use core::{marker::PhantomData, ops::Range};
+use core::{
+    marker::PhantomData,
+    ops::{Range, RangeInclusive},
+};
 
 use crate::{
     display::{blit::Packing, region::Alike},
@@ -184,6 +187,13 @@ impl<'m> Memory<&'m mut [u8]> {
     fn from(self, line: usize, byte: usize) -> Option<(&'m mut [u8], usize)> {
         let start = line.wrapping_mul(self.stride).wrapping_add(byte);
         self.bytes.get_mut(start..).map(|bytes| (bytes, self.stride.max(1)))
+    }
+
+    /// Some bytes of a line.
+    #[inline]
+    fn run(self, line: usize, bytes: RangeInclusive<usize>) -> Option<&'m mut [u8]> {
+        let start = line.wrapping_mul(self.stride);
+        self.bytes.get_mut(start.wrapping_add(*bytes.start())..start.wrapping_add(*bytes.end()).wrapping_add(1))
     }
 
     /// A byte of a line.
