@@ -247,7 +247,7 @@ fn prepared<'s, S: Shading, B: Bounds, L: Lighting, E>(
     let eye = if L::NEEDS_EYE { view.eye() } else { Point3::ORIGIN };
     let lit = Lit { placement, eye, surface: material.surface };
     let surface = Surface {
-        mesh: *mesh,
+        mesh,
         shading: &material.shading,
         light: scene.light.for_object(&lit),
         transform,

@@ -101,8 +101,8 @@ where
     L: Lighting,
     T: Target<Color = S::Color>,
 {
-    let picture = Scanlines::new(instances, scene, target.bounds(), memory.lend());
-    let mut picture = picture.map_err(DrawError::<Infallible>::before_drawing)?;
+    let mut picture = Scanlines::new(target.bounds(), memory.lend());
+    picture.begin(instances, scene).map_err(DrawError::<Infallible>::before_drawing)?;
     while picture.row().is_some() {
         picture.draw_row(target).map_err(DrawError::Target)?;
     }

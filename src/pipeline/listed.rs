@@ -38,6 +38,10 @@ impl ListedFace {
         Some(Self { corners, number: u16::try_from(number).ok()?, instance, side, piece })
     }
 
+    pub(super) const fn instance(&self) -> u8 {
+        self.instance
+    }
+
     /// The instance that it belongs to, among those that are seen.
     #[inline]
     pub(super) fn surface<'l, 's, S, I>(&self, surfaces: &'l [Surface<'s, S, I>]) -> Option<&'l Surface<'s, S, I>> {

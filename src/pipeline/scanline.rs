@@ -55,6 +55,8 @@ pub struct ScanlineMemory<'m, F> {
 /// A picture that is drawn row by row.
 pub struct Scanlines<'s, S: Shading, I, const N: usize> {
     surfaces: Vec<Surface<'s, S, I>, N>,
+    /// Until they are lent to the surfaces.
+    vertices: &'s mut [MeshVertex],
     faces: &'s mut VecView<WaitingFace>,
     buckets: Buckets<'s>,
     active: &'s mut VecView<ActiveFace<S::Face>>,
@@ -65,39 +67,41 @@ pub struct Scanlines<'s, S: Shading, I, const N: usize> {
 }
 
 impl<'s, S: Shading, I: Illumination, const N: usize> Scanlines<'s, S, I, N> {
-    /// Everything that is done before the first row: vertices are transformed and lit, faces listed.
-    ///
-    /// # Errors
-    /// [`DrawError`]. Nothing was drawn, and once there is a picture, nothing can run out.
-    pub fn new<B: Bounds, L: Lighting<Illumination = I>>(
-        instances: &'s [Instance<'_, S, B>; N],
-        scene: &Scene<L>,
-        window: Rect,
-        memory: ScanlineMemory<'s, S::Face>,
-    ) -> Result<Self, DrawError<Infallible>> {
+    /// A picture of the pixels of a window, without instances: [begin](Self::begin) it.
+    #[must_use]
+    pub fn new(window: Rect, memory: ScanlineMemory<'s, S::Face>) -> Self {
         const { assert!(N <= 256, "the instance of a face is a byte") };
         const { assert!(!S::DROPS, "a shading that leaves out pixels does not hide what is behind them") };
         let ScanlineMemory { vertices, faces, buckets, active, order, runs } = memory;
-        let window = window.intersection(scene.camera.viewport.rect());
-        let mut picture = Self {
-            surfaces: Vec::new(),
-            faces,
-            buckets: Buckets::new(buckets, window),
-            active,
-            order,
-            runs,
-            window,
-            row: window.top,
-        };
-        prepare(instances, scene, vertices, &mut picture.surfaces)?;
-        picture.active.clear();
-        picture.order.clear();
-        picture.list()?;
-        let (most, room) = (picture.buckets.most_active(), picture.active.capacity().min(picture.order.capacity()));
-        if most > room || picture.runs.capacity() == 0 || picture.buckets.is_empty() {
+        let (surfaces, buckets, row) = (Vec::new(), Buckets::new(buckets), window.bottom);
+        Self { surfaces, vertices, faces, buckets, active, order, runs, window, row }
+    }
+
+    /// Does everything that comes before the first row: vertices are transformed and lit, faces listed.
+    ///
+    /// Once, and apart from [`new`](Self::new), so that nothing large is moved on the stack of a small core.
+    ///
+    /// # Errors
+    /// [`DrawError`]. Then there is no row to draw. Once there is one, nothing can run out.
+    pub fn begin<B: Bounds, L: Lighting<Illumination = I>>(
+        &mut self,
+        instances: &'s [Instance<'_, S, B>; N],
+        scene: &Scene<L>,
+    ) -> Result<(), DrawError<Infallible>> {
+        self.active.clear();
+        self.order.clear();
+        self.surfaces.clear();
+        self.window = self.window.intersection(scene.camera.viewport.rect());
+        self.row = self.window.bottom;
+        self.buckets.empty_for(self.window);
+        prepare(instances, scene, core::mem::take(&mut self.vertices), &mut self.surfaces)?;
+        self.list()?;
+        let (most, room) = (self.buckets.most_active(), self.active.capacity().min(self.order.capacity()));
+        if most > room || self.runs.capacity() == 0 || self.buckets.is_empty() {
             return Err(DrawError::TooFewActive { needed: most.max(1) });
         }
-        Ok(picture)
+        self.row = self.window.top;
+        Ok(())
     }
 
     /// The row that is drawn next; `None` when all have been.
@@ -110,6 +114,7 @@ impl<'s, S: Shading, I: Illumination, const N: usize> Scanlines<'s, S, I, N> {
     ///
     /// # Errors
     /// What the target says. The row counts as drawn.
+    #[inline(never)]
     pub fn draw_row<T: Target<Color = S::Color>>(&mut self, target: &mut T) -> Result<(), T::Error> {
         if self.row >= self.window.bottom {
             return Ok(());
@@ -174,7 +179,7 @@ impl<'s, S: Shading, I: Illumination, const N: usize> Scanlines<'s, S, I, N> {
 
     #[inline]
     fn left(&self, slot: u16) -> i32 {
-        self.active.get(usize::from(slot)).map_or(i32::MIN, |face| face.columns.start)
+        self.active.get(usize::from(slot)).map_or(i32::MIN, |face| face.start())
     }
 
     /// Moves a face to the left, behind those that are not right of it.
@@ -199,7 +204,7 @@ impl<'s, S: Shading, I: Illumination, const N: usize> Scanlines<'s, S, I, N> {
             }
             for run in self.runs.iter() {
                 let Some(active) = self.active.get(usize::from(run.surface())) else { continue };
-                let Some(surface) = active.listed.surface(&self.surfaces) else { continue };
+                let Some(surface) = self.surfaces.get(usize::from(active.instance)) else { continue };
                 surface.shading.paint(&surface.light, &active.face, (self.row, run.columns()), target)?;
             }
             columns.start = end;
@@ -214,7 +219,7 @@ impl<'s, S: Shading, I: Illumination, const N: usize> Scanlines<'s, S, I, N> {
         let depths = |slot: u16| active.get(usize::from(slot)).map_or(RowDepth::FARTHEST, |face| face.depth);
         for &slot in self.order.iter() {
             if let Some(face) = active.get(usize::from(slot)) {
-                scanline.add(intersection(face.columns.clone(), &columns), slot, &depths)?;
+                scanline.add(intersection(face.columns(), &columns), slot, &depths)?;
             }
         }
         Ok(())

@@ -22,7 +22,7 @@ use crate::{
 
 /// A mesh on its way to the screen.
 pub(super) struct Surface<'s, S, I> {
-    pub(super) mesh: Mesh<'s>,
+    pub(super) mesh: &'s Mesh<'s>,
     pub(super) shading: &'s S,
     pub(super) light: I,
     pub(super) transform: MeshTransform,

@@ -49,7 +49,9 @@ fn by_rows<S: Shading<Color = Light> + Copy, const RUNS: usize>(
         runs: &mut runs,
     };
     let (instances, mut picture) = (things.instances(shading), Picture::new(WINDOW));
-    let mut rows = Scanlines::new(&instances, &scene(), window, memory).expect("room enough");
+    let mut rows = Scanlines::new(window, memory);
+    assert_eq!(rows.row(), None);
+    rows.begin(&instances, &scene()).expect("room enough");
     let mut expected = window.rows();
     while let Some(row) = rows.row() {
         assert_eq!(Some(row), expected.next());

@@ -30,13 +30,13 @@ pub struct WaitingFace {
 #[derive(Clone, Debug)]
 pub struct ActiveFace<F> {
     walk: Walk,
-    /// Its pixels in the row, as far as they lie in the window; maybe none, then the end may be before the start.
-    pub(super) columns: Range<i32>,
+    /// Its pixels in the row, as far as they lie in the window.
+    columns: [i16; 2],
     pub(super) depth: RowDepth,
     /// What is added to the depth from row to row.
     down: u32,
     pub(super) end_row: i16,
-    pub(super) listed: ListedFace,
+    pub(super) instance: u8,
     pub(super) face: F,
 }
 
@@ -62,17 +62,36 @@ impl WaitingFace {
         let ([across], [down]) = (depth.across, depth.down);
         let end_row = low_i16(rows(&piece.positions).end.min(window.bottom));
         let depth = RowDepth { depth: at_origin, across, order };
-        let columns = intersection(walk.columns(), &window.columns());
-        Some(ActiveFace { walk, columns, depth, down, end_row, listed, face })
+        let columns = short(intersection(walk.columns(), &window.columns()));
+        Some(ActiveFace { walk, columns, depth, down, end_row, instance: listed.instance(), face })
     }
 }
 
 impl<F> ActiveFace<F> {
+    /// Its pixels in the row.
+    #[inline]
+    pub(super) fn columns(&self) -> Range<i32> {
+        let [start, end] = self.columns.map(i32::from);
+        start..end
+    }
+
+    #[inline]
+    pub(super) fn start(&self) -> i32 {
+        let [start, _] = self.columns;
+        start.into()
+    }
+
     /// Goes down to a row.
     #[inline]
     pub(super) fn advance(&mut self, row: i32, window: &Range<i32>) {
         self.walk.advance(row);
-        self.columns = intersection(self.walk.columns(), window);
+        self.columns = short(intersection(self.walk.columns(), window));
         self.depth.depth = self.depth.depth.wrapping_add(self.down);
     }
+}
+
+/// Columns of a viewport are within 4096, unless there are none.
+#[inline]
+fn short(columns: Range<i32>) -> [i16; 2] {
+    if columns.is_empty() { [0; 2] } else { [columns.start, columns.end].map(low_i16) }
 }

@@ -10,6 +10,7 @@ use crate::{
 /// The faces whose first rows are some rows of the picture: 4 bytes.
 #[derive(Clone, Copy, Debug)]
 pub struct RowBucket {
+    /// One more than its first face; 0 if it has none, so that a static array takes no flash.
     first: u16,
     /// How many more faces reach into its rows than into those above.
     change: i16,
@@ -20,7 +21,7 @@ pub(super) const NONE: u16 = u16::MAX;
 
 impl RowBucket {
     /// Something to fill an array with.
-    pub const EMPTY: Self = Self { first: NONE, change: 0 };
+    pub const EMPTY: Self = Self { first: 0, change: 0 };
 }
 
 /// Buckets for the rows of a window, each for as many rows: a power of two.
@@ -31,14 +32,18 @@ pub(super) struct Buckets<'b> {
 }
 
 impl<'b> Buckets<'b> {
-    /// Empty ones.
-    pub(super) fn new(list: &'b mut [RowBucket], window: Rect) -> Self {
-        list.fill(RowBucket::EMPTY);
-        let mut rows_log2 = 0;
-        while rows_log2 < 31 && (window.height().saturating_sub(1) >> rows_log2) >= low_index(list.len()) {
-            rows_log2 += 1;
+    /// For no rows yet.
+    pub(super) fn new(list: &'b mut [RowBucket]) -> Self {
+        Self { list, top: 0, rows_log2: 0 }
+    }
+
+    /// Empties them, for the rows of a window.
+    pub(super) fn empty_for(&mut self, window: Rect) {
+        self.list.fill(RowBucket::EMPTY);
+        (self.top, self.rows_log2) = (window.top, 0);
+        while self.rows_log2 < 31 && window.height().saturating_sub(1) >> self.rows_log2 >= low_index(self.list.len()) {
+            self.rows_log2 += 1;
         }
-        Self { list, top: window.top, rows_log2 }
     }
 
     fn place(&self, row: i32) -> usize {
@@ -47,7 +52,7 @@ impl<'b> Buckets<'b> {
 
     /// The first face of the bucket of a row.
     pub(super) fn first(&self, row: i32) -> u16 {
-        self.list.get(self.place(row)).map_or(NONE, |bucket| bucket.first)
+        self.list.get(self.place(row)).map_or(NONE, |bucket| bucket.first.wrapping_sub(1))
     }
 
     /// Puts a face in front of those that begin with the same rows; gives the one that was first.
@@ -58,7 +63,7 @@ impl<'b> Buckets<'b> {
         }
         let Some(bucket) = self.list.get_mut(begins) else { return NONE };
         bucket.change = bucket.change.wrapping_add(1);
-        core::mem::replace(&mut bucket.first, face)
+        core::mem::replace(&mut bucket.first, face.wrapping_add(1)).wrapping_sub(1)
     }
 
     /// Whether there is none.
