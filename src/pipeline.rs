@@ -12,8 +12,10 @@
 
 mod bounds;
 mod draw_error;
+mod eye;
 mod fragments;
 mod surface;
+mod tree;
 mod unpainted;
 mod vertex;
 mod wireframe;
@@ -45,6 +47,7 @@ pub use draw_error::DrawError;
 pub use fragments::DepthBias;
 use fragments::{Fragments, MeshTriangle, Piece};
 use surface::Surface;
+pub use tree::draw_tree;
 pub use unpainted::Unpainted;
 use vertex::ClipVertex;
 pub use vertex::MeshVertex;

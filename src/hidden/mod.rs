@@ -6,9 +6,12 @@
 //!   [`Convex`](convex::Convex).
 //! - **Cost** one comparison a fragment.
 
+pub mod bsp;
 pub mod convex;
 pub mod depth;
 mod depth_test;
+pub mod solid_bsp;
+pub(crate) mod within;
 
 use core::ops::Range;
 
