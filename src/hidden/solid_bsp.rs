@@ -7,7 +7,8 @@
 //! ```
 //!
 //! - **Takes** the [tree](super::bsp) of a closed mesh whose faces all face outwards; points in its own space.
-//! - **Gives** answers without error: they compare exact integers, never rounded ones.
+//! - **Gives** exact answers, for integers are compared; where a tree has splits, which are rounded, something within 2⁻²⁰ of them may be
+//!   taken for what is next to it.
 //! - **Memory** none.
 //! - **Cost** one plane a node of the way; for a point on a plane, both sides of it. A ray asks three volumes more of each face that it may
 //!   strike.
@@ -46,11 +47,11 @@ pub struct Hit {
 /// The tree of a closed mesh.
 ///
 /// ```
-/// use aquatint::{Point3, Scalar, hidden::{bsp::{TreeArrays, Triangles}, solid_bsp::{Place, SolidTree}}};
+/// use aquatint::{Point3, Scalar, hidden::{bsp::{Choice, TreeArrays, Triangles}, solid_bsp::{Place, SolidTree}}};
 ///
 /// let positions = [[0, 0, 0], [16384, 0, 0], [0, 16384, 0], [0, 0, 16384]];
 /// let triangles = Triangles::new(&positions, &[[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]]);
-/// let arrays = TreeArrays::<4, 4, 0>::build(triangles, 5)?;
+/// let arrays = TreeArrays::<4, 4, 0>::build(triangles, Choice::best_of(5))?;
 /// let solid = SolidTree::new(arrays.tree());
 ///
 /// let at = |v| Point3::new(Scalar::from_num(v), Scalar::from_num(0.25), Scalar::from_num(0.25));

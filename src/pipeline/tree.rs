@@ -38,7 +38,7 @@ use crate::{
 ///
 /// ```
 /// # use aquatint::{Angle, Frame, Levels, Dithered, Light, Matrix, Rect, Rows, Scalar, Vector3, View, World};
-/// # use aquatint::{geometry::{light::Lamp, projection::Lens, viewport::Viewport}, hidden::bsp::TreeArrays};
+/// # use aquatint::{geometry::{light::Lamp, projection::Lens, viewport::Viewport}, hidden::bsp::{Choice, TreeArrays}};
 /// # use aquatint::{model::assembly::Assembly, pipeline::{Camera, MeshVertex, Scene}};
 /// use aquatint::{
 ///     hidden::{bsp::{Tree, Triangles}, convex::Convex},
@@ -59,7 +59,7 @@ use crate::{
 /// # let mut target = Dithered::new(&mut frame, Levels::ONE_BIT);
 /// # let mut vertices = [MeshVertex::EMPTY; 24];
 /// # let Assembly::Triangles(list) = CUBE.assembly() else { return Ok(()) };
-/// # let arrays = TreeArrays::<12, 12, 0>::build(Triangles::new(CUBE.positions(), list), 5)?;
+/// # let arrays = TreeArrays::<12, 12, 0>::build(Triangles::new(CUBE.positions(), list), Choice::best_of(5))?;
 ///
 /// let tree: Tree = arrays.tree();
 /// let mut workspace = Workspace { vertices: &mut vertices, hidden: &mut Convex };

@@ -1,17 +1,17 @@
 //! Trees that are built while compiling.
 
-use super::{Arena, BuildError, Node, Piece, Split, Tree, Triangles, build::beginning};
+use super::{Arena, BuildError, Choice, Node, Piece, Split, Tree, Triangles, build::beginning};
 
 /// Arrays that own a tree, for constants: it is built while compiling, and lies in flash.
 ///
 /// ```
-/// use aquatint::hidden::bsp::{Tree, TreeArrays, Triangles};
+/// use aquatint::hidden::bsp::{Choice, Tree, TreeArrays, Triangles};
 ///
 /// const SHAPE: Triangles = Triangles::new(
 ///     &[[0, 0, 0], [16384, 0, 0], [0, 16384, 0], [0, 0, 16384]],
 ///     &[[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]],
 /// );
-/// static ARRAYS: TreeArrays<4, 4, 0> = match TreeArrays::build(SHAPE, 5) {
+/// static ARRAYS: TreeArrays<4, 4, 0> = match TreeArrays::build(SHAPE, Choice::best_of(5)) {
 ///     Ok(arrays) => arrays,
 ///     Err(_) => panic!("too small"),
 /// };
@@ -32,11 +32,11 @@ impl<'a, const NODES: usize, const PIECES: usize, const CUTS: usize> TreeArrays<
     ///
     /// # Errors
     /// [`BuildError`].
-    pub const fn build(triangles: Triangles<'a>, candidates: usize) -> Result<Self, BuildError> {
+    pub const fn build(triangles: Triangles<'a>, choice: Choice) -> Result<Self, BuildError> {
         let (mut nodes, mut pieces) = ([Node::EMPTY; NODES], [Piece::EMPTY; PIECES]);
         let mut cuts = [Split::EMPTY; CUTS];
         let mut arena = Arena::new(&mut nodes, &mut pieces, &mut cuts);
-        match arena.fill(&triangles, candidates) {
+        match arena.fill(&triangles, choice) {
             Ok(()) => {}
             Err(error) => return Err(error),
         }

@@ -12,6 +12,30 @@ use crate::{
     num::{low_index, low_u16},
 };
 
+/// Which planes a tree takes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Choice {
+    /// So many triangles are tried for each node. Zero counts as one. Good trees take 5 to 20.
+    pub candidates: usize,
+    /// What is within so many 2⁻¹⁴ of a plane counts as in it. Surfaces that curve, whose vertices have been rounded, are split much
+    /// less with 1 or 2; and may be drawn in the wrong order where they are so close. A solid that is asked for points takes 0.
+    pub tolerance: u8,
+}
+
+impl Choice {
+    /// The best of so many candidates, no tolerance.
+    #[must_use]
+    pub const fn best_of(candidates: usize) -> Self {
+        Self { candidates, tolerance: 0 }
+    }
+
+    /// The same with a tolerance.
+    #[must_use]
+    pub const fn with_tolerance(self, tolerance: u8) -> Self {
+        Self { tolerance, ..self }
+    }
+}
+
 /// A list that was too short.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum List {
@@ -79,14 +103,13 @@ impl<'a> Arena<'a> {
 
     /// A tree of all triangles that have an area.
     ///
-    /// Each node takes, of up to `candidates` triangles spread evenly through what is left, the one whose plane splits the
-    /// fewest, and of those the one that parts the rest most evenly. With one, it is the first triangle that is left. Zero
-    /// counts as one. Good trees take 5 to 20.
+    /// Each node takes, of up to so many triangles as chosen, spread evenly through what is left, the one whose plane splits the
+    /// fewest, and of those the one that parts the rest most evenly. With one, it is the first triangle that is left.
     ///
     /// # Errors
     /// [`BuildError`]: the memory is too small, or a triangle was cut too often.
-    pub const fn build(mut self, triangles: Triangles<'a>, candidates: usize) -> Result<Tree<'a>, BuildError> {
-        match self.fill(&triangles, candidates) {
+    pub const fn build(mut self, triangles: Triangles<'a>, choice: Choice) -> Result<Tree<'a>, BuildError> {
+        match self.fill(&triangles, choice) {
             Ok(()) => {}
             Err(error) => return Err(error),
         }
@@ -98,7 +121,7 @@ impl<'a> Arena<'a> {
         })
     }
 
-    pub(super) const fn fill(&mut self, triangles: &Triangles<'_>, candidates: usize) -> Result<(), BuildError> {
+    pub(super) const fn fill(&mut self, triangles: &Triangles<'_>, choice: Choice) -> Result<(), BuildError> {
         let all = match self.load(triangles) {
             Ok(all) => all,
             Err(error) => return Err(error),
@@ -109,7 +132,7 @@ impl<'a> Arena<'a> {
         }
         let mut at = 0;
         while at < self.node_count {
-            match self.part(triangles, at, candidates) {
+            match self.part(triangles, at, choice) {
                 Ok(()) => at += 1,
                 Err(error) => return Err(error),
             }
@@ -137,15 +160,15 @@ impl<'a> Arena<'a> {
     }
 
     /// Makes a plane of a node that has pieces, and nodes of what is on both sides.
-    const fn part(&mut self, triangles: &Triangles<'_>, at: usize, candidates: usize) -> Result<(), BuildError> {
-        let face = self.choose(triangles, self.node(at).first, candidates);
+    const fn part(&mut self, triangles: &Triangles<'_>, at: usize, choice: Choice) -> Result<(), BuildError> {
+        let face = self.choose(triangles, self.node(at).first, choice);
         let Some(plane) = triangles.plane(face) else { return Ok(()) };
         let [mut front, mut back, mut within] = [Chain::EMPTY; 3];
         let mut next = self.node(at).first;
         while next != NONE {
             let piece = next;
             next = self.piece(piece).next;
-            match self.side(triangles, piece, face, &plane) {
+            match self.side(triangles, piece, (face, &plane, choice)) {
                 Side::Front => self.append(&mut front, piece),
                 Side::Back => self.append(&mut back, piece),
                 Side::Within => self.append(&mut within, piece),
@@ -168,9 +191,9 @@ impl<'a> Arena<'a> {
     }
 
     /// The triangle whose plane is best.
-    const fn choose(&self, triangles: &Triangles<'_>, first: u16, candidates: usize) -> u16 {
+    const fn choose(&self, triangles: &Triangles<'_>, first: u16, choice: Choice) -> u16 {
         let count = self.count(first);
-        let candidates = if candidates == 0 { 1 } else { candidates };
+        let candidates = if choice.candidates == 0 { 1 } else { choice.candidates };
         let stride = count.div_ceil(candidates);
         let (mut best, mut best_score) = (0, Score::WORST);
         let (mut piece, mut left) = (first, count);
@@ -178,7 +201,8 @@ impl<'a> Arena<'a> {
             left -= 1;
             let Piece { triangle, next, .. } = self.piece(piece);
             if stride > 0 && left.is_multiple_of(stride) {
-                let score = if count <= stride { Score::NONE } else { self.score(triangles, first, triangle) };
+                let score =
+                    if count <= stride { Score::NONE } else { self.score(triangles, first, (triangle, choice)) };
                 // The last of equals is the first triangle.
                 if !best_score.is_better(&score) {
                     (best, best_score) = (triangle, score);
@@ -189,12 +213,12 @@ impl<'a> Arena<'a> {
         best
     }
 
-    const fn score(&self, triangles: &Triangles<'_>, first: u16, face: u16) -> Score {
+    const fn score(&self, triangles: &Triangles<'_>, first: u16, (face, choice): (u16, Choice)) -> Score {
         let Some(plane) = triangles.plane(face) else { return Score::WORST };
         let (mut splits, mut front, mut back) = (0, 0_usize, 0_usize);
         let mut piece = first;
         while piece != NONE {
-            match self.side(triangles, piece, face, &plane) {
+            match self.side(triangles, piece, (face, &plane, choice)) {
                 Side::Front => front += 1,
                 Side::Back => back += 1,
                 Side::Both => splits += 1,
@@ -206,7 +230,7 @@ impl<'a> Arena<'a> {
     }
 
     /// On which side of the plane of a face a piece lies.
-    const fn side(&self, triangles: &Triangles<'_>, piece: u16, face: u16, plane: &Plane) -> Side {
+    const fn side(&self, triangles: &Triangles<'_>, piece: u16, (face, plane, choice): (u16, &Plane, Choice)) -> Side {
         let Piece { triangle, cut, .. } = self.piece(piece);
         if triangle == face {
             return Side::Within;
@@ -222,7 +246,7 @@ impl<'a> Arena<'a> {
                 polygon = polygon.cut(&plane, split.is_front());
             }
         }
-        polygon.side(plane)
+        polygon.side(plane, choice.tolerance)
     }
 
     /// The cuts of a piece, the last one first, and how many there are.

@@ -18,8 +18,8 @@
 //! - **Gives** the triangles and pieces of triangles in order, for any eye.
 //! - **Memory** 10 bytes a node, 6 a piece and 4 a cut, two cuts a split; lent by the caller, or in flash: trees are built by constant
 //!   functions. None while a tree is walked.
-//! - **Cost** one plane a node, that is nine products; and building, once: each face is compared with `candidates` others at each depth of
-//!   the tree.
+//! - **Cost** one plane a node, that is nine products; and building, once: at each depth of the tree, each face is compared with some
+//!   [candidates](Choice).
 //!
 //! Source: H. Fuchs, Z. M. Kedem, B. F. Naylor, "On visible surface generation by a priori tree structures", SIGGRAPH 1980.
 
@@ -30,7 +30,7 @@ mod polygon;
 mod walk;
 
 pub use arrays::TreeArrays;
-pub use build::{Arena, BuildError, List};
+pub use build::{Arena, BuildError, Choice, List};
 pub(crate) use plane::Plane;
 pub use polygon::MOST_CUTS;
 pub use walk::Ordered;
@@ -181,7 +181,7 @@ pub enum TreeError {
     Piece(usize),
     /// This cut is on a side of no node, or after one that is not before it.
     Cut(usize),
-    /// The pieces of all nodes are not those of the list, each once.
+    /// All nodes together do not have as many pieces as there are.
     PieceLists,
 }
 
@@ -189,7 +189,7 @@ describe! { TreeError,
     Self::Node(at) => "node {at} has a wrong child or face";
     Self::Piece(at) => "piece {at} has no triangle, or wrong cuts";
     Self::Cut(at) => "cut {at} names no node, or no earlier cut";
-    Self::PieceLists => "the pieces of the nodes are not those of the list";
+    Self::PieceLists => "the nodes do not have as many pieces as there are";
 }
 
 impl<'a> Tree<'a> {
@@ -216,7 +216,7 @@ impl<'a> Tree<'a> {
         if let Some(at) = tree.wrong_piece() {
             return Err(TreeError::Piece(at));
         }
-        if tree.has_each_piece_once() { Ok(tree) } else { Err(TreeError::PieceLists) }
+        if tree.has_as_many_pieces() { Ok(tree) } else { Err(TreeError::PieceLists) }
     }
 
     /// Where there is a child, it comes later and has this parent: so there is no cycle.
@@ -270,7 +270,7 @@ impl<'a> Tree<'a> {
         None
     }
 
-    const fn has_each_piece_once(&self) -> bool {
+    const fn has_as_many_pieces(&self) -> bool {
         let (mut at, mut count) = (0, 0);
         while at < self.nodes.len() {
             let mut piece = self.nodes[at].first;
@@ -316,13 +316,13 @@ impl<'a> Tree<'a> {
     /// triangles in one plane, those later in the list come first, as in a depth buffer the earlier ones stay.
     ///
     /// ```
-    /// use aquatint::{Point4, Scalar, hidden::bsp::{Arena, Node, Piece, Split, Triangles}};
+    /// use aquatint::{Point4, Scalar, hidden::bsp::{Arena, Choice, Node, Piece, Split, Triangles}};
     ///
     /// // Two triangles across z, at 0 and at 1.
     /// let positions = [[0, 0, 0], [9, 0, 0], [0, 9, 0], [0, 0, 16384], [9, 0, 16384], [0, 9, 16384]];
     /// let triangles = Triangles::new(&positions, &[[0, 1, 2], [3, 4, 5]]);
     /// let (mut nodes, mut pieces, mut cuts) = ([Node::EMPTY; 2], [Piece::EMPTY; 2], [Split::EMPTY; 0]);
-    /// let tree = Arena::new(&mut nodes, &mut pieces, &mut cuts).build(triangles, 5)?;
+    /// let tree = Arena::new(&mut nodes, &mut pieces, &mut cuts).build(triangles, Choice::best_of(5))?;
     ///
     /// let at = |z| Point4::new(Scalar::ZERO, Scalar::ZERO, Scalar::from_num(z), Scalar::ONE);
     /// assert!(tree.back_to_front(at(3)).map(|piece| piece.triangle).eq([0, 1]));

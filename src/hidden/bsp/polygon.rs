@@ -45,13 +45,14 @@ impl Polygon {
         Self { corners, places, count: 3 }
     }
 
-    /// On which side it lies.
-    pub(super) const fn side(&self, plane: &Plane) -> Side {
-        let near = NEAR * plane.steepest();
+    /// On which side it lies, what is closer than some 2⁻¹⁴ left aside.
+    pub(super) const fn side(&self, plane: &Plane, tolerance: u8) -> Side {
+        let exact = ((tolerance as i64) << FINER) * plane.steepest();
+        let rounded = exact + NEAR * plane.steepest();
         let (mut is_front, mut is_back, mut at) = (false, false, 0);
         while at < self.count && at < MOST_CORNERS {
             let (corner, distance) = (self.places[at], plane.of_place(self.places[at]));
-            let near = if self.is_corner(corner) { 0 } else { near };
+            let near = if self.is_corner(corner) { exact } else { rounded };
             is_front |= distance > near;
             is_back |= distance < -near;
             at += 1;
