@@ -12,33 +12,32 @@
 
 use aquatint::{
     Point4, Scalar,
-    hidden::bsp::{NONE, Tree},
+    hidden::bsp::{NONE, Split, Tree},
 };
 
 use super::shapes::{Memory, Shape};
 
 /// Walls seen from above, each a triangle that stands; the front is on the right of its way. In 1000ths.
-const WALLS: [[[i16; 2]; 2]; 6] = [
+const WALLS: [[[i16; 2]; 2]; 5] = [
     [[500, 0], [-500, 0]],
     [[-1000, 1000], [-1000, 300]],
     [[0, 1000], [0, 500]],
     [[1000, -1000], [1000, 1000]],
     [[0, -800], [500, -600]],
-    [[0, -800], [500, -600]],
 ];
 
 fn walls() -> Shape {
     let wall = |[[x, y], [to_x, to_y]]: [[i16; 2]; 2]| {
-        [[x, y, -900], [to_x, to_y, -900], [(x + to_x) / 2, (y + to_y) / 2, 900]].map(|place| place.map(|v| v * 16))
+        [[x, y, -900], [to_x, to_y, -900], [i16::midpoint(x, to_x), i16::midpoint(y, to_y), 900]]
+            .map(|place| place.map(|v| v * 16))
     };
-    // The lecture counts six with both halves of the fourth.
-    Shape::of("walls", WALLS[..5].iter().copied().map(wall))
+    Shape::of("walls", WALLS.map(wall))
 }
 
 /// The number of a polygon as the lecture writes it: the front half of a split one has a dash.
 fn name(tree: &Tree<'_>, piece: u16) -> String {
     let piece = tree.pieces()[usize::from(piece)];
-    let is_front = tree.cuts().get(usize::from(piece.cut)).is_some_and(|cut| cut.is_front());
+    let is_front = tree.cuts().get(usize::from(piece.cut)).is_some_and(Split::is_front);
     format!("{}{}", piece.triangle + 1, if is_front { "'" } else { "" })
 }
 
@@ -52,7 +51,7 @@ fn nested(tree: &Tree<'_>, node: u16) -> String {
 }
 
 #[test]
-fn the_six_polygons_are_split_as_in_the_lecture() {
+fn the_polygons_are_split_as_in_the_lecture() {
     let (shape, mut memory) = (walls(), Memory::new([6, 6, 2]));
     let tree = memory.build(&shape, 1).expect("room");
     assert_eq!(tree.pieces().len(), 6, "the fourth is split");

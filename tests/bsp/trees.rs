@@ -211,9 +211,9 @@ proptest! {
             let has_area = Memory::new([1, 1, 0]).build(&flat, 1).is_ok_and(|tree| !tree.nodes().is_empty());
             prop_assert_eq!(shown.contains(&u16::try_from(triangle).unwrap()), has_area);
         }
-        let mut nearest_first: Vec<_> = tree.front_to_back(eye).map(|piece| core::ptr::from_ref(piece)).collect();
+        let mut nearest_first: Vec<_> = tree.front_to_back(eye).map(core::ptr::from_ref).collect();
         nearest_first.sort_unstable();
-        let mut farthest_first: Vec<_> = order.into_iter().map(|piece| core::ptr::from_ref(piece)).collect();
+        let mut farthest_first: Vec<_> = order.into_iter().map(core::ptr::from_ref).collect();
         farthest_first.sort_unstable();
         prop_assert_eq!(&nearest_first, &farthest_first);
         nearest_first.dedup();
