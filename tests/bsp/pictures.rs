@@ -12,6 +12,7 @@ use aquatint::{
         viewport::Viewport,
     },
     hidden::{
+        Hidden,
         bsp::{Choice, Tree},
         convex::Convex,
         depth::DepthBuffer,
@@ -29,11 +30,13 @@ const VIEW: Rect = Rect::new(0, 0, 96, 64);
 /// What is shown, and how often each pixel was drawn.
 struct Picture {
     shown: Vec<Option<Light>>,
+    writes: Vec<u32>,
 }
 
 impl Picture {
     fn new() -> Self {
-        Self { shown: vec![None; usize::try_from(VIEW.width() * VIEW.height()).expect("small")] }
+        let count = usize::try_from(VIEW.width() * VIEW.height()).expect("small");
+        Self { shown: vec![None; count], writes: vec![0; count] }
     }
 }
 
@@ -66,8 +69,9 @@ impl Target for Picture {
     ) -> Result<(), Infallible> {
         assert!(!columns.is_empty() && columns.start >= VIEW.left && columns.end <= VIEW.right);
         for (column, color) in columns.zip(colors) {
-            let shown = &mut self.shown[at(row, column)];
-            *shown = color.or(*shown);
+            let at = at(row, column);
+            self.writes[at] += u32::from(color.is_some());
+            self.shown[at] = color.or(self.shown[at]);
         }
         Ok(())
     }
@@ -112,9 +116,27 @@ impl Pose {
 
     /// By a tree, without depths.
     fn by_tree(&self, shape: &Shape, tree: &Tree<'_>, shading: impl Shading<Color = Light>) -> Picture {
+        self.by_tree_and(shape, tree, shading, &mut Convex)
+    }
+
+    fn by_tree_and(
+        &self,
+        shape: &Shape,
+        tree: &Tree<'_>,
+        shading: impl Shading<Color = Light>,
+        hidden: &mut impl Hidden,
+    ) -> Picture {
+        let (mut picture, mut vertices) = (Picture::new(), vec![MeshVertex::EMPTY; shape.positions.len()]);
+        let mut workspace = Workspace { vertices: &mut vertices, hidden };
+        draw_tree(tree, &self.instance(shape, shading), &self.scene(), &mut workspace, &mut picture).expect("in range");
+        picture
+    }
+
+    /// All triangles, in the order of the list.
+    fn unordered(&self, shape: &Shape, shading: impl Shading<Color = Light>) -> Picture {
         let (mut picture, mut vertices) = (Picture::new(), vec![MeshVertex::EMPTY; shape.positions.len()]);
         let mut workspace = Workspace { vertices: &mut vertices, hidden: &mut Convex };
-        draw_tree(tree, &self.instance(shape, shading), &self.scene(), &mut workspace, &mut picture).expect("in range");
+        draw_mesh(&self.instance(shape, shading), &self.scene(), &mut workspace, &mut picture).expect("in range");
         picture
     }
 
@@ -206,6 +228,37 @@ fn poses(shape: &Shape, count: u32, faces: Faces, choice: Choice) {
             && compared.unsure * 5000 <= compared.covered,
         "{compared:?}"
     );
+}
+
+/// Pieces fill the pixels of their triangles, none twice: each pixel is drawn as often as without a tree. And each piece has the
+/// depths of the whole: with a depth buffer, the picture is the same to the pixel.
+#[test]
+fn pieces_are_their_triangle() {
+    let mut random = Random(31);
+    let shapes = [shapes::torus(12, 9), shapes::crossing(20, &mut random), shapes::crossing(50, &mut random)];
+    for shape in &shapes {
+        let mut memory = Memory::new(LARGE);
+        let tree = memory.build(shape, 3).expect("room");
+        let mut most = 0;
+        for _ in 0..50 {
+            let pose = Pose::random(&mut random, Faces::Both);
+            for (by_tree, unordered) in [
+                (pose.by_tree(shape, &tree, Gouraud), pose.unordered(shape, Gouraud)),
+                (pose.by_tree(shape, &tree, numbers()), pose.unordered(shape, numbers())),
+            ] {
+                assert!(by_tree.writes == unordered.writes, "{}", shape.name);
+                most = by_tree.writes.into_iter().fold(most, u32::max);
+            }
+            let (wanted, wanted_depths) = pose.by_depths(shape, Gouraud);
+            let mut depths = vec![0; wanted.shown.len()];
+            let mut buffer = DepthBuffer::<u32>::new(&mut depths, VIEW).expect("large enough");
+            let found = pose.by_tree_and(shape, &tree, Gouraud, &mut buffer);
+            assert!(depths == wanted_depths, "{}", shape.name);
+            let differ = found.shown.iter().zip(&wanted.shown).filter(|(found, wanted)| found != wanted).count();
+            assert!(differ <= 3, "only where depths are equal: {differ}");
+        }
+        assert!(most > 3, "{most}");
+    }
 }
 
 #[test]
