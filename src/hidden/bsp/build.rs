@@ -68,8 +68,9 @@ describe! { BuildError,
 
 /// Memory in which a tree is built. What it holds before does not matter.
 ///
-/// Twice as many nodes and pieces as there are triangles are usually enough for the mesh of a solid, and as many cuts; for
-/// triangles that cross each other it takes many more.
+/// Two to three times as many of each as there are triangles are usually enough for the mesh of a solid; for
+/// triangles that cross each other it takes many more. Building has polygons of 900 bytes on the stack, a few at a
+/// time.
 #[derive(Debug)]
 pub struct Arena<'a> {
     nodes: &'a mut [Node],
@@ -186,7 +187,9 @@ impl<'a> Arena<'a> {
             (Ok(front), Ok(back)) => (node.front, node.back) = (front, back),
             (Err(error), _) | (_, Err(error)) => return Err(error),
         }
-        self.nodes[at] = node;
+        if at < self.nodes.len() {
+            self.nodes[at] = node;
+        }
         Ok(())
     }
 
@@ -198,7 +201,7 @@ impl<'a> Arena<'a> {
         let (mut best, mut best_score) = (0, Score::WORST);
         let (mut piece, mut left) = (first, count);
         while piece != NONE {
-            left -= 1;
+            left = left.wrapping_sub(1);
             let Piece { triangle, next, .. } = self.piece(piece);
             if stride > 0 && left.is_multiple_of(stride) {
                 let score =
@@ -241,7 +244,7 @@ impl<'a> Arena<'a> {
         // In the order in which it was cut.
         while count > 0 {
             count -= 1;
-            let split = chain[count];
+            let split = if count < MOST_CUTS { chain[count] } else { Split::EMPTY };
             if let Some(plane) = triangles.plane(self.node(split.node() as usize).face) {
                 polygon = polygon.cut(&plane, split.is_front());
             }
@@ -271,7 +274,9 @@ impl<'a> Arena<'a> {
         let back = Split { side: node | Split::BACK, before: whole.cut };
         match (self.add_cut(front), self.add_cut(back)) {
             (Ok(front), Ok(back)) => {
-                self.pieces[piece as usize].cut = front;
+                if (piece as usize) < self.pieces.len() {
+                    self.pieces[piece as usize].cut = front;
+                }
                 self.add_piece(Piece { cut: back, ..whole })
             }
             (Err(error), _) | (_, Err(error)) => Err(error),

@@ -1,13 +1,14 @@
 //! BSP trees: planes part space, again and again, until an order of all faces can be read off for any eye. Lecture 5.8.
 //!
 //! ```text
-//!        2 ╱      4'│                    1
-//!   ──────╱─────────┼──── 1         ╱          ╲
-//!        ╱  3       │           front 2         4 back      far side, node, near side:
-//!             ──    │ 4                ╲         ╲           from the back to the front
-//!                 5 │                   3         5
-//!                                        ╲
-//!                                         4'
+//!   seen from above              the tree
+//!   2│     3│     │4'                1
+//!    │      │     │          front ╱   ╲ back      far side, node, near side:
+//!       ───────── ┼ 1             2     4          from the back to the front
+//!           ─── 5 │          back ╲     ╲ back
+//!                 │4               3     5
+//!                             back ╲
+//!                                   4'
 //! ```
 //!
 //! Each node has a face, those that lie in its plane, and what lies in front of it and behind it. A face on both sides is split.
