@@ -108,6 +108,13 @@ pub(crate) const fn low_i32(value: i64) -> i32 {
     value as i32
 }
 
+/// The low 32 bits of a long number, read as a signed one.
+#[inline]
+#[expect(clippy::cast_possible_truncation, reason = "modulo 2^32 by intent")]
+pub(crate) const fn low_i128(value: i128) -> i32 {
+    value as i32
+}
+
 /// The same 32 bits, read as an unsigned number.
 #[inline]
 pub(crate) const fn bits(value: i32) -> u32 {

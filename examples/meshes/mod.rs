@@ -4,6 +4,7 @@
 pub mod obj;
 pub mod report;
 pub mod stl;
+pub mod tree;
 
 use std::{fmt::Debug, io::Write, path::Path};
 
@@ -12,10 +13,19 @@ use obj::{OwnedMesh, RawMesh};
 
 /// The mesh of a file as an expression, and what was lost by it. What is wrong with the file is one line.
 pub fn convert(path: &Path) -> Result<(String, String), String> {
+    convert_to(path, |_, source| Ok(source))
+}
+
+/// The same, with the mesh's tree.
+pub fn convert_with_tree(path: &Path) -> Result<(String, String), String> {
+    convert_to(path, |mesh, source| tree::source(mesh, &source))
+}
+
+fn convert_to(path: &Path, form: impl Fn(&Mesh, String) -> Result<String, String>) -> Result<(String, String), String> {
     let raw = read(path)?.merged()?;
     let owned = OwnedMesh::of(&raw)?;
     let mesh = owned.borrow().map_err(|e| e.to_string())?;
-    Ok((source(&mesh), report::of(&raw, &owned)?))
+    Ok((form(&mesh, source(&mesh))?, report::of(&raw, &owned)?))
 }
 
 /// By the name of the file.

@@ -3,13 +3,16 @@
 //! - **Takes** spans with a depth.
 //! - **Gives** the parts of them that are seen.
 //! - **Memory** one, two or four bytes a pixel of the caller's, for the frame or any part of it; none for
-//!   [`Convex`](convex::Convex).
+//!   [`Convex`](convex::Convex), in front of which [trees](bsp) put faces in order.
 //! - **Cost** one comparison a fragment.
 
+pub mod bsp;
 pub mod convex;
 pub mod depth;
 mod depth_test;
 pub mod scanline;
+pub mod solid_bsp;
+pub(crate) mod within;
 
 use core::ops::Range;
 

@@ -5,6 +5,11 @@ mod meshes;
 
 use std::path::{Path, PathBuf};
 
+use aquatint::{hidden::bsp::Tree, model::mesh::Mesh};
+
+/// What the converter makes of a tetrahedron.
+static TETRAHEDRON: (Mesh, Tree) = include!("tetrahedron_with_tree.rs");
+
 /// Two triangles with a common edge, one vertex written twice.
 const QUAD: &str = "v 0 0 0\nv 2 0 0\nv 2 2 0\nv 0 2 0\nv 2 0 0\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nvn 0 0 1\n\
                     f 1/1/1 2/2/1 3/3/1\nf 1/1/1 3/3/1 4/4/1\nf 5/2/1 3/3/1 1/1/1\n";
@@ -109,4 +114,13 @@ fn a_file_is_written_whole_or_not_at_all() {
     assert_eq!(std::fs::read(&path).expect("there"), b"new");
     assert!(meshes::write(&folder.path().join("no/such/folder.rs"), "new").is_err());
     assert_eq!(std::fs::read_dir(folder.path()).expect("a folder").count(), 1, "nothing else is left");
+}
+
+#[test]
+fn a_mesh_with_its_tree() {
+    let (_folder, path) = in_folder("t.stl", &tetrahedron());
+    let (source, _) = meshes::convert_with_tree(&path).expect("a good file");
+    assert_eq!(source, include_str!("tetrahedron_with_tree.rs"));
+    let (mesh, tree) = &TETRAHEDRON;
+    assert_eq!((mesh.positions().len(), tree.nodes().len(), tree.pieces().len()), (4, 4, 4));
 }
