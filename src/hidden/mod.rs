@@ -9,6 +9,7 @@
 pub mod convex;
 pub mod depth;
 mod depth_test;
+pub mod raycast;
 
 use core::ops::Range;
 
