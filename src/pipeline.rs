@@ -6,13 +6,16 @@
 //! ```
 //!
 //! [`draw_mesh`] fills faces, by any [`Shading`]; [`draw_wireframe`] draws their edges. Both take the same [`Instance`]s, which
-//! planes may [cut](Instance::with_planes) and [bounds](Instance::with_bounds) may leave out as a whole.
+//! planes may [cut](Instance::with_planes) and [bounds](Instance::with_bounds) may leave out as a whole. [`draw_rays`] goes the other
+//! way: from each pixel to what is seen there.
 //!
 //! The only module that knows more than one stage. Each function here is one arrow.
 
 mod bounds;
 mod draw_error;
 mod fragments;
+mod pixel_rays;
+mod raycast;
 mod surface;
 mod unpainted;
 mod vertex;
@@ -44,6 +47,8 @@ pub use bounds::Bounds;
 pub use draw_error::DrawError;
 pub use fragments::DepthBias;
 use fragments::{Fragments, MeshTriangle, Piece};
+pub use pixel_rays::{NoRays, PixelRays};
+pub use raycast::{Finish, MeshShapesError, Raycast, draw_rays, mesh_shapes};
 use surface::Surface;
 pub use unpainted::Unpainted;
 use vertex::ClipVertex;

@@ -64,6 +64,9 @@ pub enum Shape {
 }
 
 impl Shape {
+    /// Something to fill an array with: no ray hits it.
+    pub const NOTHING: Self = Self::Triangle(Triangle::POINT);
+
     /// A box around it; a plane has none.
     #[inline]
     fn bounds(&self) -> Option<Bounds> {

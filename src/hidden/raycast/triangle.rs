@@ -30,6 +30,9 @@ pub struct Triangle {
 }
 
 impl Triangle {
+    /// Without area.
+    pub(super) const POINT: Self = Self { corners: [[0; 3]; 3] };
+
     /// From its corners. One without area is never hit.
     ///
     /// # Errors
