@@ -104,15 +104,19 @@ fn directions(to_clip: &Matrix<World, Clip>, rect: Rect) -> Option<[[i64; 3]; 3]
     let [width, height] = [end - left, bottom - top].map(i128::from);
     // The centre of pixel (x, y) is at (2 x + 1 − left − right) / width from the middle, and so downwards.
     let [x0, y0] = [1 - left - end, 1 - top - bottom].map(i128::from);
-    let (across, down) = (right.map(|v| 2 * height * v * ahead), up.map(|v| -2 * width * v * ahead));
-    let first = [0, 1, 2].map(|axis: usize| {
-        let of = |vector: &[i128; 3]| vector.get(axis).copied().unwrap_or(0);
-        of(&middle) * width * height * ahead + (of(&across) * x0 + of(&down) * y0) / 2
-    });
+    let times = |vector: [i128; 3], by: i128| vector.map(|v| v * by * ahead);
+    let (right, down) = (times(right, height), times(up, -width));
+    let corner = plus(right.map(|v| v * x0), down.map(|v| v * y0));
+    let first = plus(times(middle, width * height), corner);
+    let (across, down) = (right.map(|v| 2 * v), down.map(|v| 2 * v));
     let size = |vector: &[i128; 3]| vector.iter().fold(0, |most: u128, v| most.max(v.unsigned_abs()));
     let most = size(&first) + 4096 * (size(&across) + size(&down));
     let shift = (u128::BITS - most.leading_zeros()).saturating_sub(60);
     Some([first, across, down].map(|vector| vector.map(|v| i64::try_from(v >> shift).unwrap_or(0))))
+}
+
+fn plus([a, b, c]: [i128; 3], [x, y, z]: [i128; 3]) -> [i128; 3] {
+    [a + x, b + y, c + z]
 }
 
 /// Elements have 32 bits, so products 64.

@@ -78,5 +78,5 @@ pub const FINISHES: [Finish; 5] = [
 ];
 
 pub fn scene<O>(objects: O) -> Raycast<'static, O> {
-    Raycast { objects, finishes: &FINISHES, lamp: LAMP, background: Light(30_000) }
+    Raycast { objects, finishes: &FINISHES, lamp: LAMP, background: Light(8_000) }
 }

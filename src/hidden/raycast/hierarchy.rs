@@ -10,8 +10,15 @@
 //!
 //! - **Memory** 16 bytes a node, fewer than two nodes a shape, lent by the caller. No stack: neither building nor walking
 //!   calls itself.
-//! - **Cost** of building: for each of the log₂ k levels, some 20 looks at each shape. Of walking: in a test of scattered
-//!   spheres a ray looks at 5 boxes more each time that there are twice as many.
+//! - **Cost** of building: for each of the log₂ k levels, some 20 looks at each shape. Of rays: how many boxes they look
+//!   at, where a list looks at all of the `k`:
+//!
+//! | k | 8 | 64 | 512 | 4096 |
+//! |---|---|---|---|---|
+//! | spheres over a surface, as the triangles of a mesh | 13 | 25 | 39 | 50 |
+//! | all through space | 12 | 38 | 75 | 150 |
+//!
+//! On a surface that is O(log k), 4 boxes more for twice as many shapes; through space a ray comes by O(k^⅓) neighbours.
 
 use super::{
     Hit, Shape,
@@ -190,4 +197,93 @@ fn set_length(node: Option<&mut Node>, length: usize) {
 /// At most two nodes for each of [`MOST_SHAPES`].
 fn low_length(length: usize) -> u16 {
     low_u16(crate::num::count_i32(length))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{
+        hidden::raycast::{REACH, Sphere},
+        num::Scalar,
+        space::{Point3, Vector3},
+    };
+    extern crate std;
+    use std::{vec, vec::Vec};
+
+    /// Pseudo-random places of the world, less than 48 from zero.
+    struct Places(u64);
+
+    impl Places {
+        fn next(&mut self) -> [i32; 3] {
+            [0; 3].map(|_| {
+                self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1);
+                crate::num::low_i32((self.0 >> 33).cast_signed()) % (48 << 16)
+            })
+        }
+    }
+
+    /// Spheres, smaller the more they are: over a surface, as those of a mesh, or all through space.
+    fn spheres(count: u32, thickness: i32) -> Vec<Shape> {
+        let mut places = Places(count.into());
+        let radius = Scalar::from_bits((24 << 16) / i32::try_from(count.isqrt()).unwrap());
+        let sphere = |[x, y, z]: [i32; 3]| {
+            let [x, y, z] = [x, y, z / 48 * thickness].map(|v| Scalar::from_bits(v / 2));
+            Shape::Sphere(Sphere::new(Point3::new(x, y, z), radius).unwrap())
+        };
+        (0..count).map(|_| sphere(places.next())).collect()
+    }
+
+    /// Boxes that a ray looks at, as a mean of rays down from the upper side of the world.
+    fn looks(hierarchy: &Hierarchy<'_>) -> usize {
+        let mut places = Places(9);
+        let looks = (0..2_000).map(|_| {
+            let ([a, b, _], [x, y, _]) = (places.next(), places.next());
+            let way = [x / 2 - a, y / 2 - b, -REACH.to_bits()].map(|v| Scalar::from_bits(v));
+            let [a, b] = [a, b].map(Scalar::from_bits);
+            let ray = Ray::new(Point3::new(a, b, REACH), Vector3::new(way[0], way[1], way[2])).unwrap();
+            let mut search = Search::new(&ray);
+            hierarchy.walk(&mut search, |search, number, shape| {
+                search.offer(number, shape);
+                true
+            });
+            search.looks.get()
+        });
+        looks.sum::<usize>() / 2_000
+    }
+
+    fn looks_of_many(thickness: i32) -> [usize; 4] {
+        [8, 64, 512, 4_096].map(|count| {
+            let shapes = spheres(count, thickness);
+            let mut nodes = vec![Node::default(); 2 * shapes.len()];
+            looks(&Hierarchy::new(&shapes, &mut nodes).unwrap())
+        })
+    }
+
+    #[test]
+    fn eight_times_as_many_shapes_cost_some_looks_more() {
+        let (surface, space) = (looks_of_many(1), looks_of_many(48));
+        assert!(surface.windows(2).all(|pair| pair[1] - pair[0] < 20), "{surface:?}");
+        // Through space a ray passes twice as many neighbours.
+        assert!(space.windows(2).all(|pair| pair[1] < pair[0] * 4), "{space:?}");
+    }
+
+    #[test]
+    fn a_walk_meets_every_shape_once_and_is_no_deeper_than_need_be() {
+        for count in 1..70_u32 {
+            let shapes = spheres(count, 48);
+            let mut nodes = vec![Node::default(); 2 * shapes.len()];
+            let hierarchy = Hierarchy::new(&shapes, &mut nodes).unwrap();
+            let mut seen: Vec<_> =
+                hierarchy.nodes.iter().filter(|node| node.length == 1).map(|node| node.shape).collect();
+            seen.sort_unstable();
+            assert!(seen.into_iter().map(u32::from).eq(0..count), "{count}");
+            for (at, node) in hierarchy.nodes.iter().enumerate().filter(|(_, node)| node.length > 1) {
+                let parts = &hierarchy.nodes[at + 1..at + usize::from(node.length)];
+                let (left, right) = parts.split_at(parts[0].length.into());
+                assert_eq!(usize::from(right[0].length), right.len());
+                assert!(left.len().abs_diff(right.len()) <= 2, "{count}");
+                assert_eq!(parts.iter().fold(Bounds::EMPTY, |all, part| all.union(&part.bounds)), node.bounds);
+            }
+        }
+    }
 }
