@@ -17,7 +17,17 @@
 //!   struck. A sphere may be off by 2⁻¹⁹ sideways, which moves a grazing hit by 2⁻⁹·√r. Normals are within 2⁻¹²
 //!   of the exact ones, and those of spheres within 2⁻¹⁵/r more.
 //! - **Cost** no division and no floating point but for what is hit. A box that is missed costs twelve products of 32 bits, and a
-//!   ray through `k` shapes looks at some log₂ k of them.
+//!   ray through `k` shapes of a surface looks at [some log₂ k](Hierarchy) of them. In instructions of a Cortex-M0:
+//!
+//! | | |
+//! |---|---|
+//! | a ray, and the beginning of its search | 1,000 and 400 |
+//! | a shape of a slice that is missed by its box | 340 |
+//! | a triangle that is missed within its box | 1,500 |
+//! | what is hit first, with its normal: plane, block, sphere, triangle | 2,400, 2,600, 3,800, 4,200 |
+//! | the nearest of 8, 64, 512 triangles side by side, in a slice | 8,700, 28,900, 173,800 |
+//! | in a hierarchy | 7,400, 10,100, 13,400 |
+//! | a pixel of five shapes with shadows and a mirror, [drawn](crate::pipeline::draw_rays) from a slice, from a hierarchy | 7,500, 6,400 |
 
 mod block;
 mod bounds;

@@ -83,8 +83,11 @@ proptest! {
         if let Some(hit) = [Shape::Sphere(sphere)].nearest(&ray) {
             let out = minus(of_point(hit.position), double(center));
             prop_assert!((length(out) - f64::from(radius) / 65_536.0).abs() < ALONG, "{:?} is not on it", hit);
-            let off = 1.0 - dot(unit(out), of_vector(hit.normal)).abs();
-            prop_assert!(off < 1.0 / 4_096.0, "{}", off);
+            let exact = unit(minus(along(origin, hit.distance.to_num(), direction), double(center)));
+            let side = dot(exact, of_vector(hit.normal)).signum();
+            let off = length(minus(of_vector(hit.normal), exact.map(|v| v * side)));
+            let least = 1.0 / 4_096.0 + ALONG / (f64::from(radius) / 65_536.0);
+            prop_assert!(off < least, "{} of {}", off, least);
         }
     }
 
