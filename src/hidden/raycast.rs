@@ -13,9 +13,9 @@
 //! - **Range** the world is the cube of ±[`REACH`] (64) along all axes. What lies outside is refused when a shape or a ray is made;
 //!   planes end at its borders.
 //! - **Memory** 40 bytes a shape; a hierarchy 32 bytes more, lent by the caller.
-//! - **Error** places are on the ray to half a unit of 2⁻¹⁶, and along it where the surface is to 2⁻¹⁵, over the cosine at which it is
-//!   struck. A sphere may be off by 2⁻¹⁹ sideways, which moves a grazing hit by 2⁻⁹·√r. Normals are within 2⁻¹²
-//!   of the exact ones, and those of spheres within 2⁻¹⁵/r more.
+//! - **Error** places are within 2⁻¹⁵ of the ray, and of the exact place along it; of triangles 2⁻¹⁹ over the cosine at which they are
+//!   struck come to that. A sphere may be off by 2⁻¹⁹ sideways, which moves grazing hits by up to 2⁻⁹·√r. Normals are within
+//!   2⁻¹² of the exact ones, those of spheres within 2⁻¹⁵/r more.
 //! - **Cost** no division and no floating point but for what is hit. A box that is missed costs twelve products of 32 bits, and a
 //!   ray through `k` shapes of a surface looks at [some log₂ k](Hierarchy) of them. In instructions of a Cortex-M0:
 //!

@@ -43,7 +43,8 @@ pub struct Ray {
 }
 
 impl Ray {
-    /// From a place in a direction of any length but zero; without a direction it hits nothing.
+    /// From a place in a direction of any length but zero; without a direction it hits nothing. Of components of more than
+    /// 30 bits the last ones are cut off.
     ///
     /// # Errors
     /// [`OutOfRange`] for a place more than [`REACH`] from zero along an axis.
