@@ -159,3 +159,30 @@ proptest! {
         prop_assert!(wall(behind).is_none_or(|wall| ![wall].is_hit(&ray)));
     }
 }
+
+/// Along and within the planes of the sides, and through edges and corners, where quotients are 0 / 0.
+#[test]
+fn rays_in_the_sides_of_a_block() {
+    let whole = |place: [i32; 3]| place.map(|v| v << 16);
+    let block = Block::new(point(whole([-1; 3])), point(whole([1; 3]))).expect("in range");
+    let all = |most: i32| {
+        let line = move || -most..=most;
+        line().flat_map(move |x| line().flat_map(move |y| line().map(move |z| [x, y, z])))
+    };
+    let mut hits = 0;
+    for (from, way) in all(2).flat_map(|from| all(1).map(move |way| (from, way))).filter(|(_, way)| *way != [0; 3]) {
+        let slabs = || (0..3).map(|axis| (from[axis], way[axis]));
+        let is_beside = slabs().any(|(at, step)| step == 0 && at.abs() > 1);
+        let moving = || slabs().filter(|(_, step)| *step != 0);
+        let entry = moving().map(|(at, step)| -1 - at * step).max().expect("a direction");
+        let exit = moving().map(|(at, step)| 1 - at * step).min().expect("a direction");
+        let steps = if entry > 0 { entry } else { exit };
+        let expected = (!is_beside && entry <= exit && steps > 0).then_some(steps);
+        let ray = Ray::new(point(whole(from)), vector(whole(way))).expect("in range");
+        let hit = [Shape::Block(block)].nearest(&ray);
+        let place = expected.map(|steps| point(whole([0, 1, 2].map(|axis| from[axis] + steps * way[axis]))));
+        assert_eq!(hit.map(|hit| hit.position), place, "{from:?} {way:?}");
+        hits += usize::from(hit.is_some());
+    }
+    assert!(hits > 300, "{hits}");
+}

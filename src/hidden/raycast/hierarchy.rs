@@ -268,6 +268,21 @@ mod tests {
         assert!(space.windows(2).all(|pair| pair[1] < pair[0] * 4), "{space:?}");
     }
 
+    /// Places that are often the same, so that there are several at the median.
+    #[test]
+    fn what_is_in_front_of_the_median_is_not_behind_it() {
+        let mut places = Places(5);
+        for count in 2..100_usize {
+            let coarse = |place: [i32; 3]| [place[0] >> 20 << 18, 0, 0];
+            let node = |place| Node { bounds: Bounds::of([place]), ..Node::default() };
+            let mut leaves: Vec<_> = (0..count).map(|_| node(coarse(places.next()))).collect();
+            halve(&mut leaves, count / 2);
+            let (front, back) = leaves.split_at(count / 2);
+            let middles = |leaves: &[Node]| leaves.iter().map(|leaf| leaf.bounds.middle()[0]).collect::<Vec<_>>();
+            assert!(middles(front).iter().max() <= middles(back).iter().min(), "{front:?} {back:?}");
+        }
+    }
+
     #[test]
     fn a_walk_meets_every_shape_once_and_is_no_deeper_than_need_be() {
         for count in 1..70_u32 {
