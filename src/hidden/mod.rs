@@ -5,6 +5,8 @@
 //! - **Memory** one, two or four bytes a pixel of the caller's, for the frame or any part of it; none for
 //!   [`Convex`](convex::Convex).
 //! - **Cost** one comparison a fragment.
+//!
+//! The other way around, from the pixels to the objects, go the rays of [`raycast`].
 
 pub mod convex;
 pub mod depth;

@@ -239,7 +239,7 @@ mod tests {
         let mut places = Places(9);
         let looks = (0..2_000).map(|_| {
             let ([a, b, _], [x, y, _]) = (places.next(), places.next());
-            let way = [x / 2 - a, y / 2 - b, -REACH.to_bits()].map(|v| Scalar::from_bits(v));
+            let way = [x / 2 - a, y / 2 - b, -REACH.to_bits()].map(Scalar::from_bits);
             let [a, b] = [a, b].map(Scalar::from_bits);
             let ray = Ray::new(Point3::new(a, b, REACH), Vector3::new(way[0], way[1], way[2])).unwrap();
             let mut search = Search::new(&ray);
