@@ -6,7 +6,8 @@
 //! ```
 //!
 //! [`draw_mesh`] fills faces, by any [`Shading`]; [`draw_wireframe`] draws their edges. Both take the same [`Instance`]s, which
-//! planes may [cut](Instance::with_planes) and [bounds](Instance::with_bounds) may leave out as a whole.
+//! planes may [cut](Instance::with_planes) and [bounds](Instance::with_bounds) may leave out as a whole. [`draw_rays`] goes the other
+//! way: from each pixel to what is seen there.
 //!
 //! The only module that knows more than one stage. Each function here is one arrow.
 
@@ -16,6 +17,8 @@ mod draw_scene;
 mod eye;
 mod fragments;
 mod listed;
+mod pixel_rays;
+mod raycast;
 mod scanline;
 mod surface;
 mod tree;
@@ -50,6 +53,8 @@ pub use draw_error::DrawError;
 pub use draw_scene::{SceneMemory, draw_scene};
 pub use fragments::DepthBias;
 use fragments::{Fragments, MeshTriangle, Piece};
+pub use pixel_rays::{NoRays, PixelRays};
+pub use raycast::{Finish, MeshShapesError, Raycast, draw_rays, mesh_shapes};
 pub use scanline::{ActiveFace, RowBucket, ScanlineMemory, Scanlines, WaitingFace};
 use surface::Surface;
 pub use tree::draw_tree;

@@ -5,11 +5,14 @@
 //! - **Memory** one, two or four bytes a pixel of the caller's, for the frame or any part of it; none for
 //!   [`Convex`](convex::Convex), in front of which [trees](bsp) put faces in order.
 //! - **Cost** one comparison a fragment.
+//!
+//! The other way around, from the pixels to the objects, go the rays of [`raycast`].
 
 pub mod bsp;
 pub mod convex;
 pub mod depth;
 mod depth_test;
+pub mod raycast;
 pub mod scanline;
 pub mod solid_bsp;
 pub(crate) mod within;
