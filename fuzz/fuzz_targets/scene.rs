@@ -2,7 +2,7 @@
 #![no_main]
 
 use aquatint::{
-    Angle, Clip, Dithered, Frame, Levels, Light, Matrix, Model, Rect, Rows, Scalar, Vector3, View, World,
+    Angle, Clip, Dithered, Frame, Levels, Light, Matrix, Model, Rect, Rows, Scalar, Target, Vector3, View, World,
     fragment::{
         shade::{Corner, Flat, Gouraud, Mapped, Phong, Shader, Shading, Stippled, Textured, Unlit},
         texture::{Bilinear, ClampToEdge, LightTexture, Sampler},
@@ -23,7 +23,9 @@ use aquatint::{
         assembly::{Assembly, RESTART},
         mesh::Mesh,
     },
-    pipeline::{Camera, DepthBias, DrawError, Instance, Material, MeshVertex, Scene, Workspace, draw_mesh},
+    pipeline::{
+        Camera, DepthBias, DrawError, Instance, Material, MeshVertex, Scene, SceneMemory, Workspace, draw_mesh, draw_scene,
+    },
 };
 use arbitrary::Arbitrary;
 use embedded_graphics::pixelcolor::BinaryColor;
@@ -166,13 +168,40 @@ fn check<L: Lighting>(input: &Input, meshes: &[Arrays], scene: &Scene<L>) {
             Err(DrawError::TooFewVertices { needed: said }) => assert!(said == needed && needed > lent),
             Err(DrawError::OutOfRange) => {}
             Err(DrawError::Target(never)) => match never {},
+            Err(other) => panic!("{other:?}"),
         }
+    }
+    if let [a, b, ..] = meshes {
+        by_rows([a, b], scene);
     }
     // What decides nothing about depths knows no bands.
     if !matches!(input.bits, Bits::None) {
         let (bands, _) = draw(&[0..cut, cut..rows]);
         assert_eq!(whole, bands);
     }
+}
+
+/// Two meshes row by row: the pixels of a depth buffer of 32 bits.
+fn by_rows<L: Lighting>(meshes: [&Arrays; 2], scene: &Scene<L>) {
+    let instances = meshes.map(|arrays| {
+        let mesh = Mesh::with_assembly(&arrays.positions, &arrays.normals, arrays.assembly()).expect("indices are right");
+        Instance::new(mesh, arrays.placement).with_material(arrays.look.material(Gouraud))
+    });
+    let (mut rows, mut pixels) = ([0; (WIDTH * HEIGHT / 8) as usize], [0; (WIDTH * HEIGHT / 8) as usize]);
+    let mut frame = Frame::<BinaryColor, Rows, _>::new(&mut rows[..], WIDTH, HEIGHT).expect("large enough");
+    let mut memory = SceneMemory::<{ 2 * VERTICES }, 512, 512>::NEW;
+    let result = draw_scene(&instances, scene, &mut memory, &mut Dithered::new(&mut frame, Levels::ONE_BIT));
+    let mut frame = Frame::<BinaryColor, Rows, _>::new(&mut pixels[..], WIDTH, HEIGHT).expect("large enough");
+    let mut depths = [0_u32; (WIDTH * HEIGHT) as usize];
+    let mut hidden = DepthBuffer::new(&mut depths, frame.bounds()).expect("large enough");
+    let mut light = Dithered::new(&mut frame, Levels::ONE_BIT);
+    for instance in &instances {
+        let mut vertices = [MeshVertex::EMPTY; VERTICES];
+        let mut workspace = Workspace { vertices: &mut vertices, hidden: &mut hidden };
+        let drawn = draw_mesh(instance, scene, &mut workspace, &mut light);
+        assert!(drawn.is_ok() || result.is_err());
+    }
+    assert!(result.is_err() || rows == pixels);
 }
 
 /// With a depth buffer of a band.
@@ -269,10 +298,7 @@ impl<L: Lighting> Draw<'_, L> {
         hidden: &mut H,
         shading: S,
     ) -> Result<(), DrawError<core::convert::Infallible>> {
-        let Look { sides, bias: (constant, slope), surface: (diffuse, specular, shininess), .. } = arrays.look;
-        let faces = [Faces::Front, Faces::Back, Faces::Both][usize::from(sides) % 3];
-        let surface = Surface { diffuse, specular, shininess };
-        let material = Material { shading, surface, faces, bias: DepthBias { constant, slope } };
+        let material = arrays.look.material(shading);
         let mut normals = vec![];
         let assembly = arrays.assembly();
         let mut mesh = Mesh::with_assembly(&arrays.positions, &arrays.normals, assembly).expect("indices are right");
@@ -293,9 +319,18 @@ impl<L: Lighting> Draw<'_, L> {
         }
         let mut frame = Frame::<BinaryColor, Rows, _>::new(&mut *self.bytes, WIDTH, HEIGHT).expect("large enough");
         let mut light = Dithered::new(&mut frame, Levels::ONE_BIT);
-        let instance = Instance { mesh, placement: arrays.placement, material };
+        let instance = Instance::new(mesh, arrays.placement).with_material(material);
         let mut workspace = Workspace { vertices: &mut *self.vertices, hidden };
         draw_mesh(&instance, self.scene, &mut workspace, &mut light)
+    }
+}
+
+impl Look {
+    fn material<S>(self, shading: S) -> Material<S> {
+        let Self { sides, bias: (constant, slope), surface: (diffuse, specular, shininess), .. } = self;
+        let faces = [Faces::Front, Faces::Back, Faces::Both][usize::from(sides) % 3];
+        let surface = Surface { diffuse, specular, shininess };
+        Material { shading, surface, faces, bias: DepthBias { constant, slope } }
     }
 }
 
