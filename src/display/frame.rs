@@ -12,7 +12,7 @@ use embedded_graphics::{
 };
 
 use crate::{
-    display::layout::{Layout, Memory},
+    display::layout::{Layout, Line, Memory},
     error::describe,
     num::{bits, count, index},
     phase::{eight, repeated},
@@ -204,9 +204,9 @@ impl<C: PixelColor, L: Layout<C>, B: AsRef<[u8]>> Frame<C, L, B> {
 }
 
 impl<C: PixelColor, L: Layout<C>, B: AsMut<[u8]>> Frame<C, L, B> {
-    /// The part of a run that is inside, if any is: the memory, the row in it, and the columns.
+    /// The row and the columns of the part of a run that is inside, if any is.
     #[inline]
-    fn visible(&mut self, row: i32, columns: &Range<i32>) -> Option<(Memory<&mut [u8]>, usize, Range<usize>)> {
+    fn visible(&mut self, row: i32, columns: &Range<i32>) -> Option<(Line<'_>, Range<usize>)> {
         let start = columns.start.max(0);
         // A negative row is beyond any height as an unsigned one.
         if bits(row) >= self.height || start >= columns.end {
@@ -216,7 +216,7 @@ impl<C: PixelColor, L: Layout<C>, B: AsMut<[u8]>> Frame<C, L, B> {
         if start >= end {
             return None;
         }
-        Some((self.lines_mut()?, position(bits(row)), position(start)..position(end)))
+        Some(((self.lines_mut()?, position(bits(row))), position(start)..position(end)))
     }
 
     /// The picture's bytes from the first line on, for a layout to write.
@@ -255,7 +255,7 @@ impl<C: PixelColor, L: Layout<C>, B: AsMut<[u8]>> Target for Frame<C, L, B> {
     }
 
     fn fill_run<const N: usize>(&mut self, row: i32, columns: Range<i32>, colors: [C; N]) -> Result<(), Infallible> {
-        if let Some((memory, row, visible)) = self.visible(row, &columns) {
+        if let Some(((memory, row), visible)) = self.visible(row, &columns) {
             if let [color] = *colors.as_slice() {
                 L::fill_solid(memory, row..row + 1, visible, color);
             } else if let Some(colors) = eight(&colors) {
@@ -274,7 +274,7 @@ impl<C: PixelColor, L: Layout<C>, B: AsMut<[u8]>> Target for Frame<C, L, B> {
         columns: Range<i32>,
         mut colors: impl Iterator<Item = Option<C>>,
     ) -> Result<(), Infallible> {
-        if let Some((memory, row, visible)) = self.visible(row, &columns) {
+        if let Some(((memory, row), visible)) = self.visible(row, &columns) {
             if let Some(last) = index(columns.start.saturating_neg()).checked_sub(1) {
                 colors.nth(last);
             }
@@ -297,8 +297,8 @@ impl<C: PixelColor, L: Layout<C>, B: AsMut<[u8]>> Target for Frame<C, L, B> {
 
     #[inline]
     fn fill_bits(&mut self, row: i32, columns: Range<i32>, colors: [C; 2], byte: u8) -> Result<(), Infallible> {
-        if let Some((memory, row, visible)) = self.visible(row, &columns) {
-            L::fill_bits((memory, row), visible, colors, byte);
+        if let Some((line, visible)) = self.visible(row, &columns) {
+            L::fill_bits(line, visible, colors, byte);
         }
         Ok(())
     }
@@ -311,12 +311,12 @@ impl<C: PixelColor, L: Layout<C>, B: AsMut<[u8]>> Target for Frame<C, L, B> {
         colors: [C; 2],
         mut next: impl FnMut() -> u8,
     ) -> Result<(), Infallible> {
-        if let Some((memory, row, visible)) = self.visible(row, &columns) {
+        if let Some((line, visible)) = self.visible(row, &columns) {
             // Whole bytes before the frame.
             for _ in columns.start >> 3..columns.start.max(0) >> 3 {
                 next();
             }
-            L::write_bits((memory, row), visible, colors, next);
+            L::write_bits(line, visible, colors, next);
         }
         Ok(())
     }

@@ -124,7 +124,7 @@ impl<S: Shading, I: Illumination> Surface<'_, S, I> {
 
     #[inline]
     pub(super) fn corner(&self, index: u16, side: Side) -> Corner {
-        let (at, vertex) = (usize::from(index), self.vertex(index));
+        let at = usize::from(index);
         let normal = self.mesh.normals().get(at).copied().unwrap_or_default();
         Corner {
             index,
@@ -132,8 +132,15 @@ impl<S: Shading, I: Illumination> Surface<'_, S, I> {
             normal: if side == Side::Back { turned(normal) } else { normal },
             uv: self.mesh.uv().and_then(|uv| uv.get(at).copied()).unwrap_or_default(),
             color: self.mesh.lights().and_then(|lights| lights.get(at).copied()).unwrap_or(Light::WHITE),
-            light: if side == Side::Back { vertex.back } else { vertex.front },
+            light: if S::NEEDS_LIGHT { self.light_at(index, side) } else { Light::BLACK },
         }
+    }
+
+    /// The light on a vertex.
+    #[inline]
+    fn light_at(&self, index: u16, side: Side) -> Light {
+        let vertex = self.vertex(index);
+        if side == Side::Back { vertex.back } else { vertex.front }
     }
 }
 

@@ -175,6 +175,9 @@ pub struct Memory<B> {
     pub stride: usize,
 }
 
+/// A row of a picture that is written.
+pub(super) type Line<'m> = (Memory<&'m mut [u8]>, usize);
+
 impl<'m> Memory<&'m mut [u8]> {
     /// A line of bytes, with what follows it.
     #[inline]

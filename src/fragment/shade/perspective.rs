@@ -91,9 +91,9 @@ impl<const N: usize> Perspective<N> {
         let first = column.wrapping_sub(into.cast_signed());
         let (over_w, one_over_w) = (self.over_w.at(row, first), self.one_over_w.at(row, first));
         let Self { least, reach, horizon, .. } = *self;
-        let mut blocks = Blocks { least, reach, over_w, one_over_w, horizon, into, start: None, scale };
+        let mut blocks = Blocks { least, reach, over_w, one_over_w, horizon, into, alone: 0, start: None, scale };
         blocks.start = blocks.end();
-        PerspectiveRun { blocks, block: Block { values: [0; N], steps: [0; N], left: 0, by_pixel: false } }
+        PerspectiveRun { blocks, block: Block { values: [0; N], steps: [0; N], left: 0 } }
     }
 }
 
@@ -118,8 +118,6 @@ struct Block<const N: usize> {
     steps: [u32; N],
     /// Pixels that are still to come.
     left: u32,
-    /// Whether each is divided by itself.
-    by_pixel: bool,
 }
 
 /// What changes from block to block.
@@ -133,33 +131,42 @@ struct Blocks<const N: usize> {
     horizon: u32,
     /// Pixels of the first block that lie before the run.
     into: u32,
+    /// Pixels that are still to come of a block that is divided pixel by pixel.
+    alone: u32,
     /// The values where the next block begins.
     start: Option<[u32; N]>,
     scale: Option<[u32; N]>,
 }
 
 impl<const N: usize> Blocks<N> {
-    /// The next block.
+    /// Begins the next block, or gives the next pixel of one that is divided pixel by pixel.
     #[inline(never)]
-    fn next(&mut self) -> Block<N> {
+    fn next(&mut self, block: &mut Block<N>) -> Option<[u32; N]> {
+        if self.alone == 0 && self.go_straight(block) {
+            return None;
+        }
+        Some(self.next_pixel())
+    }
+
+    /// Goes to the next block; `false` if it is to be divided pixel by pixel.
+    #[inline]
+    fn go_straight(&mut self, block: &mut Block<N>) -> bool {
         let into = core::mem::take(&mut self.into);
-        self.over_w.leave_out(BLOCK);
-        self.one_over_w.leave_out(BLOCK);
+        self.leave_out(BLOCK);
         let end = self.end();
         let start = core::mem::replace(&mut self.start, end);
-        let mut block = Block { values: [0; N], steps: [0; N], left: BLOCK - into, by_pixel: false };
-        if let Some((start, end)) = start.zip(end).filter(|(start, end)| is_way(start, end)) {
-            block.values = start;
-            for ((value, step), end) in block.values.iter_mut().zip(&mut block.steps).zip(end) {
-                *step = bits(end.wrapping_sub(*value).cast_signed() >> BLOCK.ilog2());
-                *value = value.wrapping_add(step.wrapping_mul(into));
-            }
-        } else {
-            block.by_pixel = true;
+        let Some((start, end)) = start.zip(end).filter(|(start, end)| is_way(start, end)) else {
+            self.alone = BLOCK - into;
             // Back to the first pixel.
             self.leave_out(into.wrapping_sub(BLOCK));
+            return false;
+        };
+        (block.values, block.left) = (start, BLOCK - into);
+        for ((value, step), end) in block.values.iter_mut().zip(&mut block.steps).zip(end) {
+            *step = bits(end.wrapping_sub(*value).cast_signed() >> BLOCK.ilog2());
+            *value = value.wrapping_add(step.wrapping_mul(into));
         }
-        block
+        true
     }
 
     fn leave_out(&mut self, pixels: u32) {
@@ -167,13 +174,14 @@ impl<const N: usize> Blocks<N> {
         self.one_over_w.leave_out(pixels);
     }
 
-    /// A pixel of a block that is divided pixel by pixel, of which so many are left.
+    /// A pixel of a block that is divided pixel by pixel.
     #[cold]
     #[inline(never)]
-    fn next_pixel(&mut self, left: u32) -> [u32; N] {
+    fn next_pixel(&mut self) -> [u32; N] {
         let values = self.divided().unwrap_or_else(|| self.scaled(self.least));
         self.leave_out(1);
-        if left == 0 {
+        self.alone = self.alone.wrapping_sub(1);
+        if self.alone == 0 {
             self.start = self.end();
         }
         values
@@ -253,13 +261,12 @@ impl<const N: usize> Iterator for PerspectiveRun<N> {
     #[inline]
     fn next(&mut self) -> Option<[u32; N]> {
         if self.block.left == 0 {
-            self.block = self.blocks.next();
+            if let Some(values) = self.blocks.next(&mut self.block) {
+                return Some(values);
+            }
         }
-        let Block { values, steps, left, by_pixel } = &mut self.block;
-        *left -= 1;
-        if *by_pixel {
-            return Some(self.blocks.next_pixel(*left));
-        }
+        let Block { values, steps, left } = &mut self.block;
+        *left = left.wrapping_sub(1);
         let now = *values;
         for (value, step) in values.iter_mut().zip(*steps) {
             *value = value.wrapping_add(step);
