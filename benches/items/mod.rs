@@ -6,6 +6,8 @@
 //! add another kind of scene, or other peers, write a function like [`panel`] and call it in one of the parts.
 
 mod bands;
+#[cfg(not(target_os = "none"))]
+mod growth;
 mod ours;
 mod peers;
 mod pictures;
@@ -104,6 +106,7 @@ pub fn all(memory: &mut [u8; MEMORY], visitor: &mut impl Visitor) {
     written(memory, visitor);
     desk(visitor);
     solid::all(visitor);
+    growth::all(visitor);
     scanline::turning(memory, &mut Box::new(scanline::Smooth::NEW), visitor);
     scanline::triangles(memory, &mut Box::new(scanline::Soup::NEW), visitor);
 }
