@@ -2,7 +2,7 @@
 //!
 //! `cargo bench` first compares the pictures, then counts every item under valgrind, prints a
 //! table and writes the `host` lines of `benches/results.tsv`. `cargo bench -- line` counts only
-//! the items whose name contains `line` and writes nothing. `cargo bench -- --test`, like
+//! the items whose name contains `line` and writes their lines. `cargo bench -- --test`, like
 //! `cargo test --benches`, only compares the pictures. The other lines of the file are written by
 //! `.ci/firmware bench`.
 
@@ -49,10 +49,7 @@ fn run(is_benchmark: bool, filter: Option<&str>) -> Result<(), String> {
     list.0.retain(|label| filter.is_none_or(|part| name(*label).contains(part)));
     let counts = valgrind::count(&list.0)?;
     print!("{}", results::table(&counts));
-    if filter.is_some() {
-        return Ok(());
-    }
-    results::write(&counts).map_err(|why| format!("{}: {why}", results::FILE))
+    results::write(&counts, filter.is_none()).map_err(|why| format!("{}: {why}", results::FILE))
 }
 
 /// Collects what there is.

@@ -44,12 +44,20 @@ fn ratio(theirs: u64, ours: u64) -> String {
     format!("{}.{}", tenths / 10, tenths % 10)
 }
 
-/// Replaces the lines of this platform in the file.
-pub fn write(counts: &[(Label, u64)]) -> io::Result<()> {
+/// Replaces the lines of what was counted; where that is all, no others of this platform stay.
+pub fn write(counts: &[(Label, u64)], is_all: bool) -> io::Result<()> {
     let before = fs::read_to_string(FILE).unwrap_or_default();
-    let is_other = |line: &&str| !line.starts_with(&format!("{PLATFORM}\t"));
+    let keys: BTreeSet<String> = counts.iter().map(|(label, _)| key(*label)).collect();
+    let is_other = |line: &&str| {
+        let is_ours = line.starts_with(&format!("{PLATFORM}\t"));
+        !is_ours || !is_all && line.rsplit_once('\t').is_none_or(|(key, _)| !keys.contains(key))
+    };
     let mut lines: Vec<String> = before.lines().filter(is_other).map(str::to_owned).collect();
-    lines.extend(counts.iter().map(|&(label, count)| format!("{PLATFORM}\t{}\t{}\t{count}", name(label), label.who)));
+    lines.extend(counts.iter().map(|&(label, count)| format!("{}\t{count}", key(label))));
     lines.sort();
     fs::write(FILE, lines.join("\n") + "\n")
+}
+
+fn key(label: Label) -> String {
+    format!("{PLATFORM}\t{}\t{}", name(label), label.who)
 }
