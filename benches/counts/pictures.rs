@@ -35,6 +35,10 @@ fn difference(Label { item, who, .. }: Label) -> Difference {
         "quad" => Difference::OneIn(50),
         // Ties of depths, and the edges of triangles, which rays meet unrounded; rays see shadows, too.
         "grow_tree" => Difference::OneIn(200),
+        "way_bsp_tree" => Difference::OneIn(200),
+        "way_rays" => Difference::OneIn(10),
+        // Without more, the far side of the ring is drawn over the near one.
+        "way_back_faces" => Difference::OneIn(10),
         "grow_rays" | "grow_list" => Difference::OneIn(2),
         "tri_fill" | "tri_fill_x16" | "one_frame" => Difference::More,
         _ => Difference::None,
@@ -46,6 +50,7 @@ fn reference(item: &'static str) -> &'static str {
     match item {
         "eight_bands" => "one_frame",
         _ if item.starts_with("grow_") => "grow_depth",
+        _ if item.starts_with("way_") => "way_depth_buffer",
         _ => item.strip_suffix("_rows").unwrap_or(item),
     }
 }

@@ -30,6 +30,8 @@ pub mod solid_peers;
 #[cfg(not(target_os = "none"))]
 mod solid_retrofire;
 pub mod solid_wall;
+#[cfg(not(target_os = "none"))]
+mod ways;
 
 use aquatint::{Frame, Pages, Rows};
 use embedded_graphics::{
@@ -107,6 +109,7 @@ pub fn all(memory: &mut [u8; MEMORY], visitor: &mut impl Visitor) {
     desk(visitor);
     solid::all(visitor);
     growth::all(visitor);
+    ways::all(visitor);
     scanline::turning(memory, &mut Box::new(scanline::Smooth::NEW), visitor);
     scanline::triangles(memory, &mut Box::new(scanline::Soup::NEW), visitor);
 }

@@ -52,7 +52,43 @@ pub struct ScanlineMemory<'m, F> {
     pub runs: &'m mut VecView<VisibleRun>,
 }
 
-/// A picture that is drawn row by row.
+/// A picture that is drawn row by row, from above: while it is sent, or into memory for one row.
+///
+/// Every pixel of a surface is given once. To the pixel it is the picture of [`draw_mesh`](super::draw_mesh) with a depth buffer
+/// of 32 bits that all instances share.
+///
+/// Memory: that of [`ScanlineMemory`], and on the stack 170 bytes an instance. Cost on a Cortex-M0, of flat triangles: some 200
+/// instructions for each row that a face reaches, some 150 for each run that is seen, and 3,000 a face.
+///
+/// ```
+/// use aquatint::{Dithered, Frame, Levels, Rect, Rows, Window, pipeline::{Scanlines, SceneMemory}};
+/// use embedded_graphics::{pixelcolor::BinaryColor, prelude::*};
+/// # use aquatint::{Angle, Light, Matrix, Scalar, Vector3, View, World, model::solids::CUBE, pipeline::{Camera, Instance, Scene}};
+/// # use aquatint::geometry::{light::Lamp, projection::Lens, viewport::Viewport};
+/// # let one = Scalar::ONE;
+/// # let lens = Lens { field_of_view: Angle::from_degrees(40.0), aspect: one * 2, near: one, far: one * 8 };
+/// # let camera = Camera {
+/// #     view: Matrix::<World, View>::translation(Scalar::ZERO, Scalar::ZERO, one * -4),
+/// #     projection: Matrix::perspective(lens)?,
+/// #     viewport: Viewport::new(Rect::new(0, 0, 400, 240))?,
+/// # };
+/// # let light = Lamp { direction: Vector3::new(one, one, one), ambient: Light(9000), diffuse: Light(50_000) };
+/// # let scene = Scene { camera, light };
+/// # let send = |_: &[u8]| {};
+///
+/// // A panel of 400 × 240, and 50 bytes for its pixels.
+/// let instances = [Instance::new(CUBE, Matrix::IDENTITY)];
+/// let mut memory = SceneMemory::<24, 12, 12>::NEW;
+/// let mut picture = Scanlines::new(Rect::new(0, 0, 400, 240), memory.lend());
+/// picture.begin(&instances, &scene)?;
+/// let mut line = Frame::<BinaryColor, Rows, _>::with_array([0; 50], 400, 1)?;
+/// while let Some(row) = picture.row() {
+///     line.clear(BinaryColor::Off)?;
+///     picture.draw_row(&mut Dithered::new(&mut Window::band(&mut line, row), Levels::ONE_BIT))?;
+///     send(line.bytes());
+/// }
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 pub struct Scanlines<'s, S: Shading, I, const N: usize> {
     surfaces: Vec<Surface<'s, S, I>, N>,
     /// Until they are lent to the surfaces.

@@ -1,0 +1,178 @@
+//! One scene, every way to hide what is behind: a ring, and a block that it goes through. On the desk.
+#![allow(dead_code, reason = "the benches draw it, too")]
+
+use std::convert::Infallible;
+
+use aquatint::{
+    Angle, Light, Matrix, Model, Rect, Scalar, Target, Vector3, View, World,
+    fragment::shade::Flat,
+    geometry::{light::Lamp, projection::Lens, viewport::Viewport},
+    hidden::{
+        bsp::{Arena, Choice, Node, Piece, Split, Tree, Triangles},
+        convex::Convex,
+        depth::DepthBuffer,
+        raycast::{Hierarchy, Node as BoxNode, Shape},
+    },
+    model::{
+        assembly::Assembly,
+        mesh::Mesh,
+        revolved::{Parts, torus_triangles, vertices},
+        solids::CUBE,
+    },
+    pipeline::{
+        Camera, Finish, Instance, Material, MeshVertex, PixelRays, Raycast, Scene, SceneMemory, Workspace, draw_mesh,
+        draw_rays, draw_scene, draw_tree, mesh_shapes,
+    },
+};
+
+/// The pixels that are drawn.
+pub const WINDOW: Rect = Rect::new(0, 0, 128, 64);
+const PIXELS: usize = 128 * 64;
+
+/// Of the ring: segments around, and rings.
+const RING_VERTICES: usize = vertices(14, 8);
+const RING_TRIANGLES: usize = torus_triangles(14, 8);
+const VERTICES: usize = RING_VERTICES + 8;
+const TRIANGLES: usize = RING_TRIANGLES + 12;
+static RING: Parts<RING_VERTICES, RING_TRIANGLES> = Parts::torus::<14, 8>(6_000);
+
+/// A way to hide what is behind.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Way {
+    /// Back faces are left out, and that is all: enough for one convex solid.
+    BackFaces,
+    /// A depth for each pixel.
+    DepthBuffer,
+    /// Row by row, without memory for pixels.
+    Scanline,
+    /// By a tree of planes, from the back to the front.
+    BspTree,
+    /// A ray for each pixel, and another one to the lamp.
+    Rays,
+}
+
+/// Room for the faces that show, and for those in one row.
+type RowMemory = SceneMemory<VERTICES, 160, 64, Flat>;
+
+impl Way {
+    pub const ALL: [Self; 5] = [Self::BackFaces, Self::DepthBuffer, Self::Scanline, Self::BspTree, Self::Rays];
+
+    /// As a bench, and in captions.
+    pub const fn names(self) -> [&'static str; 2] {
+        match self {
+            Self::BackFaces => ["way_back_faces", "back faces only"],
+            Self::DepthBuffer => ["way_depth_buffer", "depth buffer"],
+            Self::Scanline => ["way_scanline", "scanline"],
+            Self::BspTree => ["way_bsp_tree", "BSP tree"],
+            Self::Rays => ["way_rays", "rays, shadows"],
+        }
+    }
+
+    /// Bytes that must be lent.
+    pub const fn ram(self) -> usize {
+        let vertices = VERTICES * size_of::<MeshVertex>();
+        match self {
+            Self::BackFaces | Self::BspTree => vertices,
+            Self::DepthBuffer => vertices + PIXELS * size_of::<u16>(),
+            Self::Scanline => size_of::<RowMemory>(),
+            Self::Rays => 0,
+        }
+    }
+}
+
+/// The scene, and memory for each way.
+pub struct Ways {
+    instance: Instance<'static, Flat>,
+    scene: Scene,
+    tree: Tree<'static>,
+    boxes: Hierarchy<'static>,
+    vertices: Vec<MeshVertex>,
+    depths: Vec<u16>,
+    rows: Box<RowMemory>,
+}
+
+impl Ways {
+    /// What is lent lives as long as the program.
+    pub fn new() -> Self {
+        let (positions, normals, list) = arrays();
+        let (positions, list): (&[_], &[_]) = (positions.leak(), list.leak());
+        let mesh = Mesh::new(positions, normals.leak(), list).expect("indices are right");
+        let placement = Matrix::rotation_y(Angle::from_degrees(35.0));
+        let placement = Matrix::<Model, Model>::rotation_x(Angle::from_degrees(60.0)).then(&placement);
+        let instance = Instance::new(mesh, placement).with_material(Material::new(Flat));
+        let [nodes, pieces, cuts] = [8 * TRIANGLES; 3];
+        let (nodes, pieces, cuts) = (vec![Node::EMPTY; nodes], vec![Piece::EMPTY; pieces], vec![Split::EMPTY; cuts]);
+        let arena = Arena::new(nodes.leak(), pieces.leak(), cuts.leak());
+        let tree = arena.build(Triangles::new(positions, list), Choice::best_of(20)).expect("room enough");
+        let mut shapes = vec![Shape::NOTHING; TRIANGLES];
+        mesh_shapes(&instance, &mut shapes).expect("near enough");
+        let boxes = vec![BoxNode::default(); 2 * TRIANGLES];
+        Self {
+            instance,
+            scene: scene(),
+            tree,
+            boxes: Hierarchy::new(shapes.leak(), boxes.leak()).expect("two each"),
+            vertices: vec![MeshVertex::EMPTY; VERTICES],
+            depths: vec![0; PIXELS],
+            rows: Box::new(RowMemory::NEW),
+        }
+    }
+
+    /// Bytes of what does not change from picture to picture, besides the mesh: it may be in flash.
+    pub const fn flash(&self, way: Way) -> usize {
+        match way {
+            Way::BspTree => {
+                size_of_val(self.tree.nodes()) + size_of_val(self.tree.pieces()) + size_of_val(self.tree.cuts())
+            }
+            Way::Rays => TRIANGLES * (size_of::<Shape>() + 2 * size_of::<BoxNode>()),
+            _ => 0,
+        }
+    }
+
+    /// Draws the scene on the window of a target that is black.
+    pub fn draw<T: Target<Color = Light, Error = Infallible>>(&mut self, way: Way, target: &mut T) {
+        let Self { instance, scene, tree, boxes, vertices, depths, rows } = self;
+        let drawn = match way {
+            Way::BackFaces => draw_mesh(instance, scene, &mut Workspace { vertices, hidden: &mut Convex }, target),
+            Way::DepthBuffer => {
+                let mut hidden = DepthBuffer::new(depths, WINDOW).expect("one each");
+                draw_mesh(instance, scene, &mut Workspace { vertices, hidden: &mut hidden }, target)
+            }
+            Way::Scanline => draw_scene(&[*instance], scene, rows, target),
+            Way::BspTree => draw_tree(tree, instance, scene, &mut Workspace { vertices, hidden: &mut Convex }, target),
+            Way::Rays => {
+                let Scene { camera, light: lamp } = *scene;
+                let rays = PixelRays::new(&camera).expect("an eye");
+                let scene = Raycast { objects: *boxes, finishes: &[Finish::MATTE], lamp, background: Light::BLACK };
+                let Ok(()) = draw_rays(&scene, &rays, target);
+                Ok(())
+            }
+        };
+        drawn.expect("room enough, and in range");
+    }
+}
+
+/// The ring and the block as one mesh, as a tree needs it.
+fn arrays() -> (Vec<[i16; 3]>, Vec<[i8; 3]>, Vec<[u16; 3]>) {
+    let ring = RING.mesh().expect("indices are right");
+    let (mut positions, mut normals) = (ring.positions().to_vec(), ring.normals().to_vec());
+    let Assembly::Triangles(block) = CUBE.assembly() else { return Default::default() };
+    // Around a part of the ring, which comes out of four of its sides.
+    positions.extend(CUBE.positions().iter().map(|[x, y, z]| [x * 2 / 3 + 9_000, *y, z * 2 / 3]));
+    normals.extend(CUBE.normals());
+    let first = u16::try_from(RING_VERTICES).expect("few");
+    let list = ring.triangles().chain(block.iter().map(|corners| corners.map(|corner| corner + first)));
+    (positions, normals, list.collect())
+}
+
+fn scene() -> Scene {
+    let number = |tenths: i32| Scalar::from_num(tenths) / 10;
+    let lens = Lens { field_of_view: Angle::from_degrees(40.0), aspect: number(20), near: number(10), far: number(80) };
+    let camera = Camera {
+        view: Matrix::<World, View>::translation(number(0), number(0), number(-30)),
+        projection: Matrix::perspective(lens).expect("a lens"),
+        viewport: Viewport::new(WINDOW).expect("pixels"),
+    };
+    let direction = Vector3::new(number(-9), number(7), number(5));
+    Scene { camera, light: Lamp { direction, ambient: Light(2_500), diffuse: Light(60_000) } }
+}
