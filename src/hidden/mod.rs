@@ -10,6 +10,7 @@ pub mod bsp;
 pub mod convex;
 pub mod depth;
 mod depth_test;
+pub mod object_space;
 pub mod scanline;
 pub mod solid_bsp;
 pub(crate) mod within;

@@ -1,5 +1,6 @@
 //! Hidden surfaces: every method shows the same picture.
 
+mod object_space;
 mod picture;
 mod scanline;
 mod scenes;

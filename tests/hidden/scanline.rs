@@ -20,7 +20,7 @@ use crate::{
 };
 
 /// All instances into one depth buffer, in their order.
-fn by_depth<S: Shading<Color = Light> + Copy>(things: &Things, shading: S) -> Picture {
+pub fn by_depth<S: Shading<Color = Light> + Copy>(things: &Things, shading: S) -> Picture {
     let (mut picture, mut depths) = (Picture::new(WINDOW), vec![0_u32; Picture::new(WINDOW).lights.len()]);
     let mut hidden = DepthBuffer::new(&mut depths, WINDOW).expect("large enough");
     let mut vertices = vec![MeshVertex::EMPTY; things.vertices()];
