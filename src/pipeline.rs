@@ -11,6 +11,7 @@
 //! The only module that knows more than one stage. Each function here is one arrow.
 
 mod bounds;
+mod depth_sort;
 mod draw_error;
 mod draw_scene;
 mod eye;
@@ -47,6 +48,7 @@ use crate::{
     target::Target,
 };
 pub use bounds::Bounds;
+pub use depth_sort::{DepthSortMemory, draw_sorted};
 pub use draw_error::DrawError;
 pub use draw_scene::{SceneMemory, draw_scene};
 pub use fragments::DepthBias;

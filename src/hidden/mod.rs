@@ -11,6 +11,7 @@ pub mod convex;
 pub mod depth;
 mod depth_test;
 pub mod object_space;
+pub mod painter;
 pub mod scanline;
 pub mod solid_bsp;
 pub(crate) mod within;

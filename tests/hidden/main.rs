@@ -1,6 +1,7 @@
 //! Hidden surfaces: every method shows the same picture.
 
 mod object_space;
+mod painter;
 mod picture;
 mod scanline;
 mod scenes;

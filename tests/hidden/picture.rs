@@ -27,6 +27,11 @@ impl Picture {
         usize::try_from(down * self.window.width() + right).expect("small")
     }
 
+    /// What a pixel has.
+    pub fn at(&self, row: i32, column: i32) -> Light {
+        self.lights[self.place(row, column)]
+    }
+
     /// The pixels in which two pictures differ.
     pub fn differing(&self, other: &Self) -> Vec<(i32, i32)> {
         let pixels = self.window.rows().flat_map(|row| self.window.columns().map(move |column| (column, row)));
