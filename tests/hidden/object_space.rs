@@ -73,6 +73,15 @@ proptest! {
     }
 }
 
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(3))]
+
+    #[test]
+    fn bunnies_are_those_of_the_depth_buffer(things in scenes::bunnies()) {
+        check(&things, Gouraud)?;
+    }
+}
+
 #[test]
 fn too_little_room_is_told() {
     let mut runner = TestRunner::deterministic();

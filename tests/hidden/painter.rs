@@ -3,9 +3,9 @@
 use core::convert::Infallible;
 
 use aquatint::{
-    Clip, Light,
+    Clip, Light, Matrix, Model, Scalar,
     fragment::shade::{Corner, Shader, Shading},
-    geometry::transform::MeshTransform,
+    geometry::{face::Faces, transform::MeshTransform},
     hidden::convex::Convex,
     pipeline::{DepthSortMemory, DrawError, Instance, Material, MeshVertex, Workspace, draw_mesh, draw_sorted},
 };
@@ -189,6 +189,74 @@ proptest! {
     #[test]
     fn solids_are_those_of_the_depth_buffer(things in scenes::solids()) {
         check(&things)?;
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(4))]
+
+    #[test]
+    fn bunnies_are_those_of_the_depth_buffer(things in scenes::bunnies()) {
+        check(&things)?;
+    }
+}
+
+/// A square of two faces, 2 × `half` wide, at a distance; in one plane with others of the same distance.
+fn square(half: i16, distance: i32, aside: i32) -> Thing {
+    let corners = [[-half, -half, 0], [half, -half, 0], [half, half, 0], [-half, half, 0]];
+    let [x, z] = [aside, -distance].map(Scalar::from_bits);
+    Thing {
+        positions: corners.to_vec(),
+        normals: vec![[0, 0, 127]; 4],
+        triangles: vec![[0, 1, 2], [0, 2, 3]],
+        placement: Matrix::translation(x, Scalar::ZERO, z),
+    }
+}
+
+/// Faces in one plane: the earlier one is seen, to the pixel, in whatever order they come.
+#[test]
+fn of_faces_in_one_plane_the_earlier_one_is_seen() {
+    for sizes in [[9_000, 12_000, 15_000], [15_000, 12_000, 9_000], [12_000, 12_000, 12_000], [12_000, 15_000, 9_000]] {
+        for aside in [0, 9_000] {
+            let mut place = -aside;
+            let things = sizes.map(|half| {
+                place += aside;
+                square(half, 0x2_8000, place)
+            });
+            let things = apart(&Things { things, faces: Faces::Both });
+            let instances = instances(&things);
+            let (picture, result) = sorted::<20, 100, 20>(&instances, things.vertices());
+            assert_eq!(result, Ok(()));
+            let depth = by_depth_of(&instances, things.vertices());
+            assert_eq!(picture.differing(&depth), [], "{sizes:?} {aside}");
+            assert!(depth.writes.iter().any(|&writes| writes > 0));
+        }
+    }
+}
+
+/// Any numbers at all: nothing panics, and if it is drawn, each face fills its pixels.
+#[test]
+fn any_numbers_are_drawn_or_refused() {
+    let ends = [i16::MIN, -1, 0, 1, i16::MAX];
+    let positions: Vec<_> =
+        ends.into_iter().flat_map(|x| ends.into_iter().flat_map(move |y| ends.map(|z| [x, y, z]))).collect();
+    let count = positions.len();
+    for (step, scale, z) in
+        [(1, 1 << 16, -0x8000), (7, 1 << 17, -0x1_0000), (31, 3 << 16, 0), (43, 1, -0x8000), (11, 0, 0)]
+    {
+        let corner = |at: usize| u16::try_from(at * step % count).expect("few");
+        let thing = Thing {
+            positions: positions.clone(),
+            normals: vec![[0, 0, -128]; count],
+            triangles: (0..24).map(|face| [corner(3 * face), corner(3 * face + 1), corner(5 * face + 2)]).collect(),
+            placement: Matrix::<Model, Model>::scale(Scalar::from_bits(scale)).then(&Matrix::translation(
+                Scalar::ZERO,
+                Scalar::ZERO,
+                Scalar::from_bits(z),
+            )),
+        };
+        let things = Things { things: [thing.clone(), thing.clone(), thing], faces: Faces::Both };
+        check(&things).expect("as the depth buffer");
     }
 }
 
