@@ -208,7 +208,7 @@ impl<S: Sink> Sink for CutSpans<'_, S> {
 
 /// The columns of a run that all cuts keep.
 #[inline]
-pub(crate) fn kept(cuts: &[Cut], row: i32, columns: Range<i32>) -> Range<i32> {
+fn kept(cuts: &[Cut], row: i32, columns: Range<i32>) -> Range<i32> {
     cuts.iter().fold(columns, |columns, cut| cut.keep(row, columns))
 }
 

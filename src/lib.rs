@@ -80,6 +80,7 @@ mod pieces;
 mod polynomial;
 mod runs;
 pub mod slopes;
+mod sort;
 mod space;
 mod span;
 mod srgb;

@@ -12,11 +12,13 @@
 //! The only module that knows more than one stage. Each function here is one arrow.
 
 mod bounds;
+mod depth_sort;
 mod draw_error;
 mod draw_scene;
 mod eye;
 mod fragments;
 mod listed;
+mod object_space;
 mod pixel_rays;
 mod raycast;
 mod scanline;
@@ -49,10 +51,13 @@ use crate::{
     target::Target,
 };
 pub use bounds::Bounds;
+pub use depth_sort::{DepthSortMemory, draw_sorted};
 pub use draw_error::DrawError;
 pub use draw_scene::{SceneMemory, draw_scene};
 pub use fragments::DepthBias;
 use fragments::{Fragments, MeshTriangle, Piece};
+pub use listed::ListedFace;
+pub use object_space::{ObjectSpaceMemory, draw_compared};
 pub use pixel_rays::{NoRays, PixelRays};
 pub use raycast::{Finish, MeshShapesError, Raycast, draw_rays, mesh_shapes};
 pub use scanline::{ActiveFace, RowBucket, ScanlineMemory, Scanlines, WaitingFace};

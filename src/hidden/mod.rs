@@ -12,6 +12,8 @@ pub mod bsp;
 pub mod convex;
 pub mod depth;
 mod depth_test;
+pub mod object_space;
+pub mod painter;
 pub mod raycast;
 pub mod scanline;
 pub mod solid_bsp;

@@ -175,23 +175,30 @@ impl<'r> Scanline<'r> {
 /// The columns of an overlap in which `new` is in front of `old`: all, none, or those from one end on.
 #[inline]
 fn where_nearer(new: &RowDepth, old: &RowDepth, overlap: Range<i32>) -> Range<i32> {
+    let lead = (new.depth.wrapping_sub(old.depth), new.across.wrapping_sub(old.across));
+    where_ahead(lead, new.order < old.order, overlap)
+}
+
+/// The columns of a run in which a lead of depths is more than 0, or is 0 and `wins_ties`. The lead is that in column 0, and
+/// what is added from column to column; both surfaces reach over the run.
+#[inline]
+pub(super) fn where_ahead((lead, step): (u32, u32), wins_ties: bool, run: Range<i32>) -> Range<i32> {
     // Depths have 31 bits, so that their difference has a sign.
-    let (lead, step) = (new.depth.wrapping_sub(old.depth), new.across.wrapping_sub(old.across));
-    let first_wins = i32::from(new.order < old.order);
-    let lead = |column| lead.wrapping_add(step.wrapping_mul(bits(column))).cast_signed().saturating_add(first_wins);
-    let last = overlap.end.wrapping_sub(1);
-    let (at_start, at_end) = (lead(overlap.start), lead(last));
+    let tie = i32::from(wins_ties);
+    let lead = |column| lead.wrapping_add(step.wrapping_mul(bits(column))).cast_signed().saturating_add(tie);
+    let last = run.end.wrapping_sub(1);
+    let (at_start, at_end) = (lead(run.start), lead(last));
     match (at_start > 0, at_end > 0) {
-        (true, true) => overlap,
-        (false, false) => overlap.start..overlap.start,
+        (true, true) => run,
+        (false, false) => run.start..run.start,
         (in_front, _) => {
             let step = step.cast_signed().unsigned_abs();
             // So many columns until it is 0 or less, or more than 0.
             let to_go = if in_front { at_start.wrapping_sub(1) } else { at_start.wrapping_neg() };
             let columns = to_go.unsigned_abs().checked_div(step).unwrap_or(0).saturating_add(1);
             // Two columns may differ by more than a step of 32 bits can tell; then it is the second of them.
-            let crossing = overlap.start.saturating_add_unsigned(columns).min(last);
-            if in_front { overlap.start..crossing } else { crossing..overlap.end }
+            let crossing = run.start.saturating_add_unsigned(columns).min(last);
+            if in_front { run.start..crossing } else { crossing..run.end }
         }
     }
 }

@@ -2,30 +2,65 @@
 
 use core::{iter::repeat_with, ops::Range};
 
-use heapless::vec::Vec;
-
 use crate::{
-    cut::{Cut, kept},
-    hidden::{Hidden, bsp::MOST_CUTS},
+    cut::Cut,
+    hidden::Hidden,
     num::{bits, index},
     space::Rect,
     vary::Ramp,
 };
 
-/// Lets pixels be seen that are on the kept side of all cuts, if the one behind sees them.
-#[derive(Debug)]
-pub(crate) struct Within<'h, H> {
-    hidden: &'h mut H,
-    pub(crate) cuts: Vec<Cut, MOST_CUTS>,
-}
+/// A part of the screen of which each row is a run.
+pub(crate) trait Region {
+    /// The columns of a run that are in it.
+    fn keep(&self, row: i32, columns: Range<i32>) -> Range<i32>;
 
-impl<'h, H> Within<'h, H> {
-    pub(crate) const fn new(hidden: &'h mut H) -> Self {
-        Self { hidden, cuts: Vec::new() }
+    /// Whether a pixel is in it.
+    #[inline]
+    fn keeps(&self, row: i32, column: i32) -> bool {
+        !self.keep(row, column..column.saturating_add(1)).is_empty()
     }
 }
 
-impl<H: Hidden> Hidden for Within<'_, H> {
+impl Region for Cut {
+    #[inline]
+    fn keep(&self, row: i32, columns: Range<i32>) -> Range<i32> {
+        self.keep(row, columns)
+    }
+
+    #[inline]
+    fn keeps(&self, row: i32, column: i32) -> bool {
+        self.keeps(row, column)
+    }
+}
+
+/// What is in all of them. Each is asked only about what those before it have kept.
+impl<R: Region> Region for [R] {
+    #[inline]
+    fn keep(&self, row: i32, columns: Range<i32>) -> Range<i32> {
+        self.iter().fold(columns, |columns, region| region.keep(row, columns))
+    }
+
+    #[inline]
+    fn keeps(&self, row: i32, column: i32) -> bool {
+        self.iter().all(|region| region.keeps(row, column))
+    }
+}
+
+/// Lets pixels be seen that are in a region, if the one behind sees them.
+#[derive(Debug)]
+pub(crate) struct Within<'h, H, R: ?Sized> {
+    hidden: &'h mut H,
+    region: &'h R,
+}
+
+impl<'h, H, R: Region + ?Sized> Within<'h, H, R> {
+    pub(crate) const fn new(hidden: &'h mut H, region: &'h R) -> Self {
+        Self { hidden, region }
+    }
+}
+
+impl<H: Hidden, R: Region + ?Sized> Hidden for Within<'_, H, R> {
     const USES_DEPTH: bool = H::USES_DEPTH;
 
     fn bounds(&self) -> Rect {
@@ -34,7 +69,7 @@ impl<H: Hidden> Hidden for Within<'_, H> {
 
     #[inline]
     fn sees(&mut self, row: i32, column: i32, depth: Ramp<1>) -> bool {
-        self.cuts.iter().all(|cut| cut.keeps(row, column)) && self.hidden.sees(row, column, depth)
+        self.region.keeps(row, column) && self.hidden.sees(row, column, depth)
     }
 
     #[inline]
@@ -46,7 +81,7 @@ impl<H: Hidden> Hidden for Within<'_, H> {
         seen: impl FnMut(Range<i32>) -> Result<(), E>,
     ) -> Result<(), E> {
         let start = columns.start;
-        let kept = kept(&self.cuts, row, columns);
+        let kept = self.region.keep(row, columns);
         if kept.is_empty() {
             return Ok(());
         }
@@ -62,7 +97,7 @@ impl<H: Hidden> Hidden for Within<'_, H> {
         depth: Ramp<1>,
         mut colors: impl Iterator<Item = Option<C>>,
     ) -> impl Iterator<Item = Option<C>> {
-        let kept = kept(&self.cuts, row, columns.clone());
+        let kept = self.region.keep(row, columns.clone());
         let before = kept.start.wrapping_sub(columns.start);
         // Those in front of the cut are computed, and forgotten.
         colors.by_ref().take(index(before)).for_each(drop);

@@ -24,6 +24,14 @@ pub enum DrawError<E> {
         /// How many are needed, at the most.
         needed: usize,
     },
+    /// Faces hide each other in more parts than [`draw_compared`](super::draw_compared) has room for. Nothing was drawn.
+    TooFewBounds {
+        /// So many are enough; fewer may be.
+        needed: usize,
+    },
+    /// Faces must be split, and there is no room for more pieces, their corners or their cuts in a
+    /// [depth sort](super::draw_sorted). Nothing was drawn.
+    TooFewPieces,
     /// The instance is cut by more than [`MOST_PLANES`]. Nothing was drawn.
     TooManyPlanes,
     /// Placement, view and projection may take a vertex more than 4096 from the origin of clip
@@ -40,6 +48,8 @@ impl DrawError<Infallible> {
             Self::TooFewVertices { needed } => DrawError::TooFewVertices { needed },
             Self::TooFewFaces { needed } => DrawError::TooFewFaces { needed },
             Self::TooFewActive { needed } => DrawError::TooFewActive { needed },
+            Self::TooFewBounds { needed } => DrawError::TooFewBounds { needed },
+            Self::TooFewPieces => DrawError::TooFewPieces,
             Self::TooManyPlanes => DrawError::TooManyPlanes,
             Self::OutOfRange => DrawError::OutOfRange,
         }
@@ -52,6 +62,8 @@ impl<E: fmt::Display> fmt::Display for DrawError<E> {
             Self::TooFewVertices { needed } => write!(f, "{needed} vertices are needed"),
             Self::TooFewFaces { needed } => write!(f, "{needed} faces are needed"),
             Self::TooFewActive { needed } => write!(f, "{needed} active faces are needed"),
+            Self::TooFewBounds { needed } => write!(f, "{needed} bounds of parts are needed"),
+            Self::TooFewPieces => write!(f, "more pieces of split faces are needed"),
             Self::TooManyPlanes => write!(f, "more than {MOST_PLANES} planes cut an instance"),
             Self::OutOfRange => OutOfRange.fmt(f),
             Self::Target(error) => error.fmt(f),

@@ -159,8 +159,9 @@ fn place<S: Shading, I: Illumination>(
     [(a, p), (b, q), (c, r)].map(|(position, (w, attributes))| Placed { position, w, attributes })
 }
 
+/// The depths of a triangle over the screen, with its bias.
 #[inline]
-fn depth_plane(bias: DepthBias, slopes: &Slopes, depths: [u32; 3]) -> Plane<1> {
+pub(super) fn depth_plane(bias: DepthBias, slopes: &Slopes, depths: [u32; 3]) -> Plane<1> {
     let plane = slopes.depth_plane(depths);
     if bias == DepthBias::NONE {
         return plane;

@@ -2,7 +2,7 @@
 
 use core::{convert::Infallible, ops::Range};
 
-use heapless::vec::Vec;
+use heapless::vec::{Vec, VecView};
 
 use super::{
     Bounds, DrawError, Instance, MeshVertex, Scene, each_clipped, each_piece,
@@ -22,7 +22,7 @@ use crate::{
 
 /// A face that shows in the picture: 12 bytes.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct ListedFace {
+pub struct ListedFace {
     corners: [u16; 3],
     number: u16,
     instance: u8,
@@ -91,6 +91,29 @@ pub(super) fn each_listed<S: Shading, I: Illumination>(
             Ok(())
         });
     }
+}
+
+/// Lists the faces of which something is in a window, at most `room` of them, and shows each that is listed: its instance
+/// and where it is.
+pub(super) fn list<'s, S: Shading, I: Illumination>(
+    surfaces: &[Surface<'s, S, I>],
+    window: Rect,
+    (faces, room): (&mut VecView<ListedFace>, usize),
+    take: &mut impl FnMut(&Surface<'s, S, I>, &Piece<S::Attributes>),
+) -> Result<(), DrawError<Infallible>> {
+    faces.clear();
+    let mut needed = 0_usize;
+    each_listed(surfaces, window, &mut |listed, piece| {
+        needed = needed.saturating_add(1);
+        let surface = listed.and_then(|listed| listed.surface(surfaces));
+        if let Some((listed, surface)) = listed.zip(surface).filter(|_| faces.len() < room) {
+            // There is room, unless the caller has said too much of it.
+            if faces.push(listed).is_ok() {
+                take(surface, piece);
+            }
+        }
+    });
+    if faces.len() < needed { Err(DrawError::TooFewFaces { needed }) } else { Ok(()) }
 }
 
 /// Counts the pieces of faces that are clipped, from 1 on; whole ones have number 0.

@@ -1,5 +1,7 @@
 //! Trees of faces, drawn from the back to the front: no depths, no memory for pixels. Lecture 5.8.4.
 
+use heapless::vec::Vec;
+
 use super::{
     Bounds, DrawError, Instance, Scene, Workspace, each_clipped, eye,
     fragments::{Fragments, MeshTriangle, Piece},
@@ -13,7 +15,7 @@ use crate::{
     geometry::{face::signed_area, light::Lighting},
     hidden::{
         Hidden,
-        bsp::{self, Tree},
+        bsp::{self, MOST_CUTS, Tree},
         within::Within,
     },
     illumination::Illumination,
@@ -81,8 +83,7 @@ where
     T: Target<Color = S::Color>,
 {
     let Some(surface) = prepared(instance, scene, workspace.vertices)? else { return Ok(()) };
-    let mut within = Within::new(workspace.hidden);
-    let mut fragments = Fragments::new(surface.viewport, &mut within, target);
+    let mut fragments = Fragments::new(surface.viewport, workspace.hidden, target);
     let eye = eye::eye(&instance.placement.then(&scene.camera.view).then(&scene.camera.projection));
     for piece in tree.back_to_front(eye) {
         draw_piece(tree, *piece, &surface, &mut fragments).map_err(DrawError::Target)?;
@@ -95,7 +96,7 @@ fn draw_piece<S, I, H, T>(
     tree: &Tree<'_>,
     piece: bsp::Piece,
     surface: &Surface<'_, S, I>,
-    fragments: &mut Fragments<'_, Within<'_, H>, T>,
+    fragments: &mut Fragments<'_, H, T>,
 ) -> Result<(), T::Error>
 where
     S: Shading,
@@ -112,11 +113,10 @@ where
     if are_projected && side.is_none() {
         return Ok(());
     }
-    fragments.hidden.cuts.clear();
-    for cut in cuts(tree, piece, surface) {
-        // There is room: a tree has been checked for that.
-        let _ = fragments.hidden.cuts.push(cut);
-    }
+    // There is room: a tree has been checked for that.
+    let cuts: Vec<Cut, MOST_CUTS> = cuts(tree, piece, surface).take(MOST_CUTS).collect();
+    let mut within = Within::new(fragments.hidden, &cuts[..]);
+    let mut fragments = Fragments { hidden: &mut within, target: fragments.target, bounds: fragments.bounds };
     match side {
         Some(side) if are_projected => {
             fragments.draw(surface, &MeshTriangle { face, side }, &Piece::of_vertices(&vertices))

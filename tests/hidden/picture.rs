@@ -27,6 +27,16 @@ impl Picture {
         usize::try_from(down * self.window.width() + right).expect("small")
     }
 
+    /// What a pixel has.
+    pub fn at(&self, row: i32, column: i32) -> Light {
+        self.lights[self.place(row, column)]
+    }
+
+    /// Whether a pixel has been given.
+    pub fn is_covered(&self, row: i32, column: i32) -> bool {
+        self.writes[self.place(row, column)] > 0
+    }
+
     /// The pixels in which two pictures differ.
     pub fn differing(&self, other: &Self) -> Vec<(i32, i32)> {
         let pixels = self.window.rows().flat_map(|row| self.window.columns().map(move |column| (column, row)));

@@ -8,7 +8,8 @@ use aquatint::{
     },
     hidden::depth::DepthBuffer,
     pipeline::{
-        DrawError, MeshVertex, RowBucket, ScanlineMemory, Scanlines, SceneMemory, Workspace, draw_mesh, draw_scene,
+        DrawError, Instance, MeshVertex, RowBucket, ScanlineMemory, Scanlines, SceneMemory, Workspace, draw_mesh,
+        draw_scene,
     },
 };
 use heapless::Vec as Room;
@@ -20,13 +21,18 @@ use crate::{
 };
 
 /// All instances into one depth buffer, in their order.
-fn by_depth<S: Shading<Color = Light> + Copy>(things: &Things, shading: S) -> Picture {
+pub fn by_depth<S: Shading<Color = Light> + Copy>(things: &Things, shading: S) -> Picture {
+    by_depth_of(&things.instances(shading), things.vertices())
+}
+
+/// The same, of instances with at most so many vertices.
+pub fn by_depth_of(instances: &[Instance<'_, impl Shading<Color = Light>>], vertices: usize) -> Picture {
     let (mut picture, mut depths) = (Picture::new(WINDOW), vec![0_u32; Picture::new(WINDOW).lights.len()]);
     let mut hidden = DepthBuffer::new(&mut depths, WINDOW).expect("large enough");
-    let mut vertices = vec![MeshVertex::EMPTY; things.vertices()];
-    for instance in things.instances(shading) {
+    let mut vertices = vec![MeshVertex::EMPTY; vertices];
+    for instance in instances {
         let mut workspace = Workspace { vertices: &mut vertices, hidden: &mut hidden };
-        draw_mesh(&instance, &scene(), &mut workspace, &mut picture).expect("in range");
+        draw_mesh(instance, &scene(), &mut workspace, &mut picture).expect("in range");
     }
     picture
 }
