@@ -32,7 +32,7 @@ fn drawn<const FACES: usize, const BOUNDS: usize>(
 }
 
 fn check<S: Shading<Color = Light> + Copy>(things: &Things, shading: S) -> Result<(), TestCaseError> {
-    let (picture, result) = drawn::<1_000, 4_000>(things, shading, things.vertices());
+    let (picture, result) = drawn::<4_000, 16_000>(things, shading, things.vertices());
     prop_assert_eq!(result, Ok(()));
     prop_assert_eq!(picture.differing(&by_depth(things, shading)), []);
     prop_assert!(picture.writes.iter().all(|&writes| writes <= 1), "each pixel once");
