@@ -19,13 +19,13 @@
 //! | [`geometry`] | vertices, matrices, lamps | screen points with depth; light |
 //! | [`clip`] | lines, polygons, points in clip space | what is inside |
 //! | [`raster`] | lines, outlines, strokes, text, triangles | spans, with their coverage where they are antialiased |
-//! | [`hidden`] | fragments with depth | the nearest |
+//! | [`hidden`] | fragments with depth, faces, planes or rays | what is in front |
 //! | [`fragment`] | spans, coverage, corners of triangles; sub-frames | colours: shading, textures, patterns, pictures, gradients; blending; motion blur |
 //! | [`tone`] | colours of any system | light, corrected colours |
 //! | [`display`] | light or colours | packed bytes |
 //!
 //! Modules in the root are *words*, which every stage may use; stages never use each other. Only
-//! [`pipeline`] knows them all: it draws a mesh in one call. Every stage can be used alone.
+//! [`pipeline`] knows them all: it draws a scene in one call. Every stage can be used alone.
 //!
 //! # Shapes on any display
 //!

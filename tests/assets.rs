@@ -78,7 +78,7 @@ fn length(vector: [f64; 3]) -> f64 {
 #[test]
 fn pictures_are_what_the_examples_draw() {
     let folder = tempfile::tempdir().expect("a folder");
-    for name in ["shapes", "antialiasing", "solids", "motion"] {
+    for name in ["shapes", "antialiasing", "solids", "motion", "hidden"] {
         let made = folder.path().join(format!("{name}.png"));
         let output = Command::new(example(name)).arg(&made).output().expect("it runs");
         assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));

@@ -34,8 +34,8 @@ fn difference(Label { item, who, .. }: Label) -> Difference {
         "quad" if who.starts_with("embedded-3dgfx") => Difference::OneIn(5),
         "quad" => Difference::OneIn(50),
         // Ties of depths, and the edges of triangles, which rays meet unrounded; rays see shadows, too.
-        "grow_tree" => Difference::OneIn(200),
-        "way_bsp_tree" => Difference::OneIn(200),
+        "grow_tree" | "grow_sort" => Difference::OneIn(200),
+        "way_bsp_tree" | "way_depth_sort" => Difference::OneIn(200),
         "way_rays" => Difference::OneIn(10),
         // Without more, the far side of the ring is drawn over the near one.
         "way_back_faces" => Difference::OneIn(10),

@@ -14,12 +14,15 @@ use aquatint::{
         bsp::{Arena, Choice, Node, Piece, Split, Tree, Triangles},
         convex::Convex,
         depth::DepthBuffer,
+        object_space::{ComparedFace, PartBound},
+        painter::{PieceCorner, PieceCut, SortedPiece},
         raycast::{Hierarchy, Node as BoxNode, Objects, Shape},
     },
     model::mesh::Mesh,
     pipeline::{
-        Finish, Instance, Material, MeshVertex, PixelRays, Raycast, Scene, SceneMemory, Workspace, draw_mesh,
-        draw_rays, draw_scene, draw_tree, mesh_shapes,
+        DepthSortMemory, Finish, Instance, ListedFace, Material, MeshVertex, ObjectSpaceMemory, PixelRays, Raycast,
+        Scene, SceneMemory, Workspace, draw_compared, draw_mesh, draw_rays, draw_scene, draw_sorted, draw_tree,
+        mesh_shapes,
     },
 };
 use embedded_graphics::{
@@ -28,6 +31,7 @@ use embedded_graphics::{
     geometry::{OriginDimensions, Size},
     pixelcolor::BinaryColor,
 };
+use heapless::Vec as Room;
 
 use super::{
     Item, Label, OURS, Visitor,
@@ -52,6 +56,8 @@ fn items<'s>() -> &'s [Item<Grown>] {
         ("grow_depth", Grown::by_depth),
         ("grow_scanline", Grown::by_rows),
         ("grow_tree", Grown::by_tree),
+        ("grow_object", Grown::by_comparing),
+        ("grow_sort", Grown::by_sorting),
         ("grow_rays", Grown::by_rays),
         ("grow_list", Grown::by_list),
     ]
@@ -76,6 +82,12 @@ struct Grown {
     vertices: Vec<MeshVertex>,
     depths: Vec<u32>,
     memory: Box<SceneMemory<1536, 1024, 256, Flat>>,
+    faces: Box<Room<ListedFace, 600>>,
+    compared: Box<Room<ComparedFace, 600>>,
+    bounds: Box<Room<PartBound, 2_000>>,
+    pieces: Box<Room<SortedPiece, 8_000>>,
+    corners: Box<Room<PieceCorner, 60_000>>,
+    cuts: Box<Room<PieceCut, 16_000>>,
     /// Made when the picture is cleared, which is not counted.
     built: Option<Built>,
 }
@@ -103,6 +115,12 @@ impl Grown {
             vertices: vec![MeshVertex::EMPTY; positions.len()],
             depths: vec![0; pixels],
             memory: Box::new(SceneMemory::NEW),
+            faces: Box::default(),
+            compared: Box::default(),
+            bounds: Box::default(),
+            pieces: Box::default(),
+            corners: Box::default(),
+            cuts: Box::default(),
             built: None,
         }
     }
@@ -149,6 +167,35 @@ impl Grown {
         let mut workspace = Workspace { vertices: &mut self.vertices, hidden: &mut Convex };
         let mut light = Dithered::new(&mut self.frame, Levels::ONE_BIT);
         draw_tree(&built.tree, &self.instance, &scene, &mut workspace, &mut light).expect("in range");
+        Ok(())
+    }
+
+    #[expect(clippy::unnecessary_wraps, reason = "an item")]
+    fn by_comparing(&mut self) -> Result<(), Infallible> {
+        let scene = self.scene();
+        let memory = ObjectSpaceMemory {
+            vertices: &mut self.vertices,
+            faces: &mut *self.faces,
+            compared: &mut *self.compared,
+            bounds: &mut *self.bounds,
+        };
+        let mut light = Dithered::new(&mut self.frame, Levels::ONE_BIT);
+        draw_compared(&[self.instance], &scene, memory, &mut light).expect("room enough");
+        Ok(())
+    }
+
+    #[expect(clippy::unnecessary_wraps, reason = "an item")]
+    fn by_sorting(&mut self) -> Result<(), Infallible> {
+        let scene = self.scene();
+        let memory = DepthSortMemory {
+            vertices: &mut self.vertices,
+            faces: &mut *self.faces,
+            pieces: &mut *self.pieces,
+            corners: &mut *self.corners,
+            cuts: &mut *self.cuts,
+        };
+        let mut light = Dithered::new(&mut self.frame, Levels::ONE_BIT);
+        draw_sorted(&[self.instance], &scene, memory, &mut light).expect("room enough");
         Ok(())
     }
 

@@ -74,7 +74,7 @@ fn hang(screen: &mut Screen, place: Point, (ways, way): (&mut Ways, Way)) -> Res
         name.to_owned(),
         match (way.ram(), ways.flash(way)) {
             (ram, 0) => format!("{ram} bytes of RAM"),
-            (ram, flash) => format!("{ram} of RAM, {flash} of flash"),
+            (ram, flash) => format!("{ram} RAM, {flash} flash"),
         },
         instructions(item, "128x64").map_or_else(String::new, |count| format!("{count} instructions")),
         format!("each pixel {overdraw:.2} times"),

@@ -22,10 +22,12 @@ const LEAST: f64 = 15.0;
 const MOST: f64 = 31.0;
 
 /// Benches and what they are called.
-const LINES: [(&str, &str); 5] = [
+const LINES: [(&str, &str); 7] = [
     ("grow_depth", "depth buffer"),
     ("grow_scanline", "scanline"),
     ("grow_tree", "BSP tree"),
+    ("grow_object", "object space"),
+    ("grow_sort", "depth sort"),
     ("grow_rays", "rays, boxes"),
     ("grow_list", "rays, list"),
 ];

@@ -11,6 +11,8 @@ use aquatint::{
         bsp::{Arena, Choice, Node, Piece, Split, Tree, Triangles},
         convex::Convex,
         depth::DepthBuffer,
+        object_space::{ComparedFace, PartBound},
+        painter::{PieceCorner, PieceCut, SortedPiece},
         raycast::{Hierarchy, Node as BoxNode, Shape},
     },
     model::{
@@ -20,10 +22,12 @@ use aquatint::{
         solids::CUBE,
     },
     pipeline::{
-        Camera, Finish, Instance, Material, MeshVertex, PixelRays, Raycast, Scene, SceneMemory, Workspace, draw_mesh,
-        draw_rays, draw_scene, draw_tree, mesh_shapes,
+        Camera, DepthSortMemory, Finish, Instance, ListedFace, Material, MeshVertex, ObjectSpaceMemory, PixelRays,
+        Raycast, Scene, SceneMemory, Workspace, draw_compared, draw_mesh, draw_rays, draw_scene, draw_sorted,
+        draw_tree, mesh_shapes,
     },
 };
+use heapless::Vec as Room;
 
 /// The pixels that are drawn.
 pub const WINDOW: Rect = Rect::new(0, 0, 128, 64);
@@ -47,15 +51,36 @@ pub enum Way {
     Scanline,
     /// By a tree of planes, from the back to the front.
     BspTree,
+    /// Each face compared with each other.
+    ObjectSpace,
+    /// From the farthest face to the nearest, those split that hide each other.
+    DepthSort,
     /// A ray for each pixel, and another one to the lamp.
     Rays,
 }
 
 /// Room for the faces that show, and for those in one row.
-type RowMemory = SceneMemory<VERTICES, 160, 64, Flat>;
+const FACES: usize = 160;
+type RowMemory = SceneMemory<VERTICES, FACES, 64, Flat>;
+
+/// What bounds a part of a face that is seen.
+const BOUNDS: usize = 64;
+
+/// Faces and their pieces, and what splits need.
+const PIECES: usize = FACES + 96;
+const CORNERS: usize = 3 * FACES + 8 * 96;
+const CUTS: usize = 2 * 96;
 
 impl Way {
-    pub const ALL: [Self; 5] = [Self::BackFaces, Self::DepthBuffer, Self::Scanline, Self::BspTree, Self::Rays];
+    pub const ALL: [Self; 7] = [
+        Self::BackFaces,
+        Self::DepthBuffer,
+        Self::Scanline,
+        Self::BspTree,
+        Self::ObjectSpace,
+        Self::DepthSort,
+        Self::Rays,
+    ];
 
     /// As a bench, and in captions.
     pub const fn names(self) -> [&'static str; 2] {
@@ -64,6 +89,8 @@ impl Way {
             Self::DepthBuffer => ["way_depth_buffer", "depth buffer"],
             Self::Scanline => ["way_scanline", "scanline"],
             Self::BspTree => ["way_bsp_tree", "BSP tree"],
+            Self::ObjectSpace => ["way_object_space", "object space"],
+            Self::DepthSort => ["way_depth_sort", "depth sort"],
             Self::Rays => ["way_rays", "rays, shadows"],
         }
     }
@@ -75,6 +102,15 @@ impl Way {
             Self::BackFaces | Self::BspTree => vertices,
             Self::DepthBuffer => vertices + PIXELS * size_of::<u16>(),
             Self::Scanline => size_of::<RowMemory>(),
+            Self::ObjectSpace => {
+                vertices
+                    + FACES * (size_of::<ListedFace>() + size_of::<ComparedFace>())
+                    + BOUNDS * size_of::<PartBound>()
+            }
+            Self::DepthSort => {
+                let pieces = FACES * size_of::<ListedFace>() + PIECES * size_of::<SortedPiece>();
+                vertices + pieces + CORNERS * size_of::<PieceCorner>() + CUTS * size_of::<PieceCut>()
+            }
             Self::Rays => 0,
         }
     }
@@ -89,6 +125,12 @@ pub struct Ways {
     vertices: Vec<MeshVertex>,
     depths: Vec<u16>,
     rows: Box<RowMemory>,
+    faces: Box<Room<ListedFace, FACES>>,
+    compared: Box<Room<ComparedFace, FACES>>,
+    bounds: Box<Room<PartBound, BOUNDS>>,
+    pieces: Box<Room<SortedPiece, PIECES>>,
+    corners: Box<Room<PieceCorner, CORNERS>>,
+    cuts: Box<Room<PieceCut, CUTS>>,
 }
 
 impl Ways {
@@ -115,6 +157,12 @@ impl Ways {
             vertices: vec![MeshVertex::EMPTY; VERTICES],
             depths: vec![0; PIXELS],
             rows: Box::new(RowMemory::NEW),
+            faces: Box::default(),
+            compared: Box::default(),
+            bounds: Box::default(),
+            pieces: Box::default(),
+            corners: Box::default(),
+            cuts: Box::default(),
         }
     }
 
@@ -131,15 +179,38 @@ impl Ways {
 
     /// Draws the scene on the window of a target that is black.
     pub fn draw<T: Target<Color = Light, Error = Infallible>>(&mut self, way: Way, target: &mut T) {
-        let Self { instance, scene, tree, boxes, vertices, depths, rows } = self;
+        let Self {
+            instance,
+            scene,
+            tree,
+            boxes,
+            vertices,
+            depths,
+            rows,
+            faces,
+            compared,
+            bounds,
+            pieces,
+            corners,
+            cuts,
+        } = self;
+        let instances = [*instance];
         let drawn = match way {
             Way::BackFaces => draw_mesh(instance, scene, &mut Workspace { vertices, hidden: &mut Convex }, target),
             Way::DepthBuffer => {
                 let mut hidden = DepthBuffer::new(depths, WINDOW).expect("one each");
                 draw_mesh(instance, scene, &mut Workspace { vertices, hidden: &mut hidden }, target)
             }
-            Way::Scanline => draw_scene(&[*instance], scene, rows, target),
+            Way::Scanline => draw_scene(&instances, scene, rows, target),
             Way::BspTree => draw_tree(tree, instance, scene, &mut Workspace { vertices, hidden: &mut Convex }, target),
+            Way::ObjectSpace => {
+                let (faces, compared, bounds) = (&mut **faces, &mut **compared, &mut **bounds);
+                draw_compared(&instances, scene, ObjectSpaceMemory { vertices, faces, compared, bounds }, target)
+            }
+            Way::DepthSort => {
+                let (faces, pieces, corners, cuts) = (&mut **faces, &mut **pieces, &mut **corners, &mut **cuts);
+                draw_sorted(&instances, scene, DepthSortMemory { vertices, faces, pieces, corners, cuts }, target)
+            }
             Way::Rays => {
                 let Scene { camera, light: lamp } = *scene;
                 let rays = PixelRays::new(&camera).expect("an eye");
