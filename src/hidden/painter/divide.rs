@@ -48,8 +48,9 @@ pub(super) trait Divider {
 
     /// The pixels of a triangle in front; places have so many binary digits more than sixteenths.
     fn cut(&self, triangle: &[PieceCorner; 3], finer: u32) -> Cut {
-        let pixel = i64::from(SUBPIXELS) << finer;
-        let places = triangle.each_ref().map(|corner| [corner.x.into(), corner.y.into(), pixel]);
+        // Those of whole faces are sixteenths, and small numbers make exact lines.
+        let place = |v: i32| i64::from(v >> finer);
+        let places = triangle.each_ref().map(|corner| [place(corner.x), place(corner.y), SUBPIXELS.into()]);
         Cut::of_values(&places, triangle.each_ref().map(|corner| self.distance(corner)))
     }
 }

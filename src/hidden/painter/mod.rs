@@ -213,17 +213,16 @@ impl<'m> DepthSort<'m> {
     /// Adds the corners of the part of a piece on one side.
     fn cut_corners(&mut self, piece: &SortedPiece, by: &impl Divider, is_front: bool) -> Result<Range<usize>, Full> {
         let (start, count) = (self.corners.len(), piece.corners(self.corners).len());
-        let near = by.rounding(piece.is_whole());
         for at in 0..count {
             let corners = piece.corners(self.corners);
             let pair = corners.get(at).zip(corners.get(at.wrapping_add(1)).or(corners.first()));
             let Some((&here, &next)) = pair else { break };
             let (distance, further) = (by.distance(&here), by.distance(&next));
-            // Those on the line belong to both parts.
-            if if is_front { distance >= -near } else { distance <= near } {
+            // By the sign alone, as the cut: where the planes are almost the same, the line may be far from what is near both.
+            if if is_front { distance >= 0 } else { distance <= 0 } {
                 self.corners.push(here).map_err(|_| Full)?;
             }
-            if distance.min(further) < -near && distance.max(further) > near {
+            if distance.min(further) < 0 && distance.max(further) > 0 {
                 self.corners.push(here.crossing(&next, (distance, further))).map_err(|_| Full)?;
             }
         }
