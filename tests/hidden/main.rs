@@ -1,6 +1,8 @@
 //! Hidden surfaces: every method shows the same picture.
 
+mod every;
 mod lecture;
+mod numbered;
 mod object_space;
 mod painter;
 mod picture;

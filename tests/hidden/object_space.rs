@@ -3,7 +3,7 @@
 use aquatint::{
     Light,
     fragment::shade::{Flat, Gouraud, Phong, Shading},
-    pipeline::{DrawError, MeshVertex, ObjectSpaceMemory, draw_compared},
+    pipeline::{DrawError, Instance, MeshVertex, ObjectSpaceMemory, draw_compared},
 };
 use heapless::Vec as Room;
 use proptest::{prelude::*, strategy::ValueTree, test_runner::TestRunner};
@@ -20,6 +20,13 @@ fn drawn<const FACES: usize, const BOUNDS: usize>(
     shading: impl Shading<Color = Light> + Copy,
     vertices: usize,
 ) -> (Picture, Result<(), DrawError<core::convert::Infallible>>) {
+    drawn_of::<FACES, BOUNDS>(&things.instances(shading), vertices)
+}
+
+fn drawn_of<const FACES: usize, const BOUNDS: usize>(
+    instances: &[Instance<'_, impl Shading<Color = Light>>; 3],
+    vertices: usize,
+) -> (Picture, Result<(), DrawError<core::convert::Infallible>>) {
     let mut picture = Picture::new(WINDOW);
     let memory = ObjectSpaceMemory {
         vertices: &mut vec![MeshVertex::EMPTY; vertices],
@@ -27,8 +34,15 @@ fn drawn<const FACES: usize, const BOUNDS: usize>(
         compared: &mut *Box::new(Room::<_, FACES>::new()),
         bounds: &mut *Box::new(Room::<_, BOUNDS>::new()),
     };
-    let result = draw_compared(&things.instances(shading), &scene(), memory, &mut picture);
+    let result = draw_compared(instances, &scene(), memory, &mut picture);
     (picture, result)
+}
+
+/// With room for anything.
+pub fn compared(instances: &[Instance<'_, impl Shading<Color = Light>>; 3], vertices: usize) -> Picture {
+    let (picture, result) = drawn_of::<8_000, 16_000>(instances, vertices);
+    assert_eq!(result, Ok(()));
+    picture
 }
 
 fn check<S: Shading<Color = Light> + Copy>(things: &Things, shading: S) -> Result<(), TestCaseError> {

@@ -37,13 +37,27 @@ pub fn by_depth_of(instances: &[Instance<'_, impl Shading<Color = Light>>], vert
     picture
 }
 
-/// Row by row, in a window, with so many buckets and runs.
+/// Row by row.
+pub fn by_rows_of(instances: &[Instance<'_, impl Shading<Color = Light>>; 3], vertices: usize) -> Picture {
+    in_window::<_, 512>(instances, vertices, (WINDOW, 60))
+}
+
+/// The same with so many runs.
 fn by_rows<S: Shading<Color = Light> + Copy, const RUNS: usize>(
     things: &Things,
     shading: S,
+    window: (Rect, usize),
+) -> Picture {
+    in_window::<_, RUNS>(&things.instances(shading), things.vertices(), window)
+}
+
+/// The same in a window, with so many buckets.
+fn in_window<S: Shading<Color = Light>, const RUNS: usize>(
+    instances: &[Instance<'_, S>; 3],
+    vertices: usize,
     (window, buckets): (Rect, usize),
 ) -> Picture {
-    let (mut vertices, mut buckets) = (vec![MeshVertex::EMPTY; things.vertices()], vec![RowBucket::EMPTY; buckets]);
+    let (mut vertices, mut buckets) = (vec![MeshVertex::EMPTY; vertices], vec![RowBucket::EMPTY; buckets]);
     let (mut faces, mut active) = (Box::new(Room::<_, 10_000>::new()), Box::new(Room::<_, 6_000>::new()));
     let (mut order, mut runs) = (Room::<_, 6_000>::new(), Room::<_, RUNS>::new());
     let memory = ScanlineMemory {
@@ -54,10 +68,10 @@ fn by_rows<S: Shading<Color = Light> + Copy, const RUNS: usize>(
         order: &mut order,
         runs: &mut runs,
     };
-    let (instances, mut picture) = (things.instances(shading), Picture::new(WINDOW));
+    let mut picture = Picture::new(WINDOW);
     let mut rows = Scanlines::new(window, memory);
     assert_eq!(rows.row(), None);
-    rows.begin(&instances, &scene()).expect("room enough");
+    rows.begin(instances, &scene()).expect("room enough");
     let mut expected = window.rows();
     while let Some(row) = rows.row() {
         assert_eq!(Some(row), expected.next());

@@ -96,9 +96,18 @@ struct Score {
     unbalance: usize,
 }
 
+/// As many as have numbers.
+const fn places(length: usize) -> usize {
+    if length < NONE as usize { length } else { NONE as usize }
+}
+
 impl<'a> Arena<'a> {
-    /// Lends the memory.
+    /// Lends the memory, of which 65,535 of each are used at the most.
     pub const fn new(nodes: &'a mut [Node], pieces: &'a mut [Piece], cuts: &'a mut [Split]) -> Self {
+        // So no place is the one that stands for none.
+        let (nodes, _) = nodes.split_at_mut(places(nodes.len()));
+        let (pieces, _) = pieces.split_at_mut(places(pieces.len()));
+        let (cuts, _) = cuts.split_at_mut(places(cuts.len()));
         Self { nodes, pieces, cuts, node_count: 0, piece_count: 0, cut_count: 0 }
     }
 

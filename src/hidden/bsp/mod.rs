@@ -246,7 +246,7 @@ impl<'a> Tree<'a> {
         while at < self.cuts.len() {
             let Split { before, .. } = self.cuts[at];
             let is_after = before == NONE || (before as usize) < at;
-            if !is_after || self.cuts[at].node() as usize >= self.nodes.len() {
+            if !is_after || at >= NONE as usize || self.cuts[at].node() as usize >= self.nodes.len() {
                 return Some(at);
             }
             at += 1;
