@@ -16,7 +16,6 @@ use aquatint::{
         raycast::{Hierarchy, Node as BoxNode, Shape},
     },
     model::{
-        assembly::Assembly,
         mesh::Mesh,
         revolved::{Parts, torus_triangles, vertices},
         solids::CUBE,
@@ -136,16 +135,14 @@ pub struct Ways {
 impl Ways {
     /// What is lent lives as long as the program.
     pub fn new() -> Self {
-        let (positions, normals, list) = arrays();
-        let (positions, list): (&[_], &[_]) = (positions.leak(), list.leak());
-        let mesh = Mesh::new(positions, normals.leak(), list).expect("indices are right");
+        let (mesh, list) = mesh();
         let placement = Matrix::rotation_y(Angle::from_degrees(35.0));
         let placement = Matrix::<Model, Model>::rotation_x(Angle::from_degrees(60.0)).then(&placement);
         let instance = Instance::new(mesh, placement).with_material(Material::new(Flat));
         let [nodes, pieces, cuts] = [8 * TRIANGLES; 3];
         let (nodes, pieces, cuts) = (vec![Node::EMPTY; nodes], vec![Piece::EMPTY; pieces], vec![Split::EMPTY; cuts]);
         let arena = Arena::new(nodes.leak(), pieces.leak(), cuts.leak());
-        let tree = arena.build(Triangles::new(positions, list), Choice::best_of(20)).expect("room enough");
+        let tree = arena.build(Triangles::new(mesh.positions(), list), Choice::best_of(20)).expect("room enough");
         let mut shapes = vec![Shape::NOTHING; TRIANGLES];
         mesh_shapes(&instance, &mut shapes).expect("near enough");
         let boxes = vec![BoxNode::default(); 2 * TRIANGLES];
@@ -223,17 +220,17 @@ impl Ways {
     }
 }
 
-/// The ring and the block as one mesh, as a tree needs it.
-fn arrays() -> (Vec<[i16; 3]>, Vec<[i8; 3]>, Vec<[u16; 3]>) {
+/// The ring and the block as one mesh, as a tree needs it, and its triangles.
+fn mesh() -> (Mesh<'static>, &'static [[u16; 3]]) {
     let ring = RING.mesh().expect("indices are right");
     let (mut positions, mut normals) = (ring.positions().to_vec(), ring.normals().to_vec());
-    let Assembly::Triangles(block) = CUBE.assembly() else { return Default::default() };
     // Around a part of the ring, which comes out of four of its sides.
     positions.extend(CUBE.positions().iter().map(|[x, y, z]| [x * 2 / 3 + 9_000, *y, z * 2 / 3]));
     normals.extend(CUBE.normals());
     let first = u16::try_from(RING_VERTICES).expect("few");
-    let list = ring.triangles().chain(block.iter().map(|corners| corners.map(|corner| corner + first)));
-    (positions, normals, list.collect())
+    let block = CUBE.triangles().map(|corners| corners.map(|corner| corner + first));
+    let list: &[_] = ring.triangles().chain(block).collect::<Vec<_>>().leak();
+    (Mesh::new(positions.leak(), normals.leak(), list).expect("indices are right"), list)
 }
 
 fn scene() -> Scene {
