@@ -46,12 +46,13 @@ const FIRST: usize = 2;
 
 /// The same faces, each with three vertices of its own.
 fn apart(things: &Things) -> Things {
+    let number = |at: usize| u16::try_from(at).expect("few");
     let apart = |thing: &Thing| {
         let corners: Vec<usize> = thing.triangles.iter().flatten().map(|&corner| usize::from(corner)).collect();
         Thing {
             positions: corners.iter().map(|&corner| thing.positions[corner]).collect(),
             normals: corners.iter().map(|&corner| thing.normals[corner]).collect(),
-            triangles: (0..thing.triangles.len()).map(|face| [0, 1, 2].map(|at| (3 * face + at) as u16)).collect(),
+            triangles: (0..thing.triangles.len()).map(|face| [0, 1, 2].map(|at| number(3 * face + at))).collect(),
             placement: thing.placement,
         }
     };
@@ -86,7 +87,7 @@ impl Depth {
             let [x, y, z, w] = [point.x, point.y, point.z, point.w].map(|v| v.to_num::<f64>());
             let (width, height) = (f64::from(WINDOW.width()), f64::from(WINDOW.height()));
             let [left, top] = [WINDOW.left, WINDOW.top].map(f64::from);
-            let place = [left * w + (w + x) / 2.0 * width, top * w + (w - y) / 2.0 * height, w];
+            let place = [left * w + f64::midpoint(w, x) * width, top * w + (w - y) / 2.0 * height, w];
             (place, (w - z) / 2.0 * 16_777_216.0)
         });
         let [a, b, c] = corners.map(|(place, _)| place);
