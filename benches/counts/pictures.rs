@@ -29,16 +29,14 @@ fn difference(Label { item, who, .. }: Label) -> Difference {
         // picture has the same triangle in it.
         // Light is rounded to 8 bits, or to 5 and 6; edges and triangles of embedded-3dgfx are off by up to a pixel.
         "cube" | "torus" if who.starts_with("embedded-3dgfx") => Difference::OneIn(20),
-        "cube" | "torus" => Difference::OneIn(200),
+        // Ties of depths.
+        "cube" | "torus" | "grow_tree" | "grow_sort" | "way_bsp_tree" | "way_depth_sort" => Difference::OneIn(200),
         // Texels near their edges; embedded-3dgfx interpolates without perspective along the sides of a triangle.
         "quad" if who.starts_with("embedded-3dgfx") => Difference::OneIn(5),
         "quad" => Difference::OneIn(50),
-        // Ties of depths, and the edges of triangles, which rays meet unrounded; rays see shadows, too.
-        "grow_tree" | "grow_sort" => Difference::OneIn(200),
-        "way_bsp_tree" | "way_depth_sort" => Difference::OneIn(200),
-        "way_rays" => Difference::OneIn(10),
-        // Without more, the far side of the ring is drawn over the near one.
-        "way_back_faces" => Difference::OneIn(10),
+        // Rays meet the edges of triangles unrounded, and see shadows. Without more than back faces left out, the far side of the
+        // ring is drawn over the near one.
+        "way_rays" | "way_back_faces" => Difference::OneIn(10),
         "grow_rays" | "grow_list" => Difference::OneIn(2),
         "tri_fill" | "tri_fill_x16" | "one_frame" => Difference::More,
         _ => Difference::None,

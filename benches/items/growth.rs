@@ -246,12 +246,7 @@ impl Surface for Grown {
 }
 
 /// Three corners for each triangle, by D. H. Lehmer's generator.
-#[expect(
-    clippy::cast_possible_truncation,
-    clippy::cast_sign_loss,
-    clippy::cast_precision_loss,
-    reason = "small numbers"
-)]
+#[expect(clippy::cast_possible_truncation, clippy::cast_precision_loss, reason = "small numbers")]
 fn soup(count: usize) -> Vec<[i16; 3]> {
     let mut state = 1_u64;
     let mut within = |reach: f64| {

@@ -206,6 +206,7 @@ pub(super) fn where_ahead((lead, step): (u32, u32), wins_ties: bool, run: Range<
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::num::{count_i32, low_u16, low_u32};
     use heapless::Vec;
     use proptest::prelude::*;
 
@@ -228,9 +229,12 @@ mod tests {
         prop::collection::vec(one, 0..24).prop_map(|flats| {
             let flat = |(order, (start, width, from, to)): (usize, (i32, i32, u32, u32))| {
                 let steps = i64::from(width.max(2) - 1);
-                let across = ((i64::from(to) - i64::from(from)) / steps) as u32;
-                let depth = from.wrapping_sub(across.wrapping_mul(start as u32));
-                Flat { columns: start..start + width, depth: RowDepth { depth, across, order: order as u16 } }
+                let across = low_u32((i64::from(to) - i64::from(from)) / steps);
+                let depth = from.wrapping_sub(across.wrapping_mul(bits(start)));
+                Flat {
+                    columns: start..start + width,
+                    depth: RowDepth { depth, across, order: low_u16(count_i32(order)) },
+                }
             };
             flats.into_iter().enumerate().map(flat).collect()
         })
@@ -279,7 +283,7 @@ mod tests {
 
     #[test]
     fn piercing_spans_are_cut_where_they_cross() {
-        let depth = |from: u32, across: i32, order| RowDepth { depth: from, across: across as u32, order };
+        let depth = |from: u32, across: i32, order| RowDepth { depth: from, across: bits(across), order };
         let flats = [depth(0, 2, 0), depth(20, -2, 1), depth(7, 0, 2)].map(|depth| Flat { columns: 0..11, depth });
         let mut runs = Vec::<_, 8>::new();
         row(&flats, &mut runs, false).unwrap();

@@ -41,8 +41,8 @@ pub struct DepthSortMemory<'m> {
 
 /// Draws a scene by depth sort: from the farthest face to the nearest, those split that hide each other.
 ///
-/// What is seen is what a depth buffer shows; where two faces are at almost the same depth, either may be the one that is. Of
-/// faces in one plane the earlier one is seen.
+/// What is seen is what a depth buffer shows; where two faces are at [almost](crate::hidden::painter) the same depth, either
+/// may be the one that is. Of faces in one plane the earlier one is seen.
 ///
 /// It is the method for shadings that depend on what is behind: it draws all that shows, so leaves with holes
 /// ([dropped](Shading::DROPS) pixels) and translucent surfaces are right, which no other method does. Pixels are given once

@@ -40,12 +40,13 @@ impl Shading for Numbered {
 
 /// The same faces, each with three vertices of its own.
 pub fn apart(things: &Things) -> Things {
+    let number = |at: usize| u16::try_from(at).expect("few");
     let apart = |thing: &Thing| {
         let corners: Vec<usize> = thing.triangles.iter().flatten().map(|&corner| usize::from(corner)).collect();
         Thing {
             positions: corners.iter().map(|&corner| thing.positions[corner]).collect(),
             normals: corners.iter().map(|&corner| thing.normals[corner]).collect(),
-            triangles: (0..thing.triangles.len()).map(|face| [0, 1, 2].map(|at| (3 * face + at) as u16)).collect(),
+            triangles: (0..thing.triangles.len()).map(|face| [0, 1, 2].map(|at| number(3 * face + at))).collect(),
             placement: thing.placement,
         }
     };

@@ -17,6 +17,10 @@
 //! no pixel. Its corners, rounded to 1/1024 pixel on a screen of 128 pixels, only tell the order. All planes are those of the screen, where
 //! depths are linear. Faces in one plane are drawn so that the earlier one is seen, as by a depth buffer.
 //!
+//! What is seen is right to four units of 22 bits of depth and an eighth of a pixel of its slope. Only where a split runs between
+//! faces almost in one plane is its place on the screen less certain than that, and a pixel beside it may be in the order of its
+//! neighbour with some third face: one pixel in some ten thousand pictures of random scenes.
+//!
 //! - **Takes** triangles on the screen with the depths of their corners.
 //! - **Gives** pieces of them in an order in which each hides what it must.
 //! - **Memory** 20 bytes a piece, 12 a corner (a split adds two more than the piece had and two, none is freed), and 64 a
