@@ -3,7 +3,7 @@
 use std::{collections::BTreeSet, fs, path::Path};
 
 /// Files directly in `src/`, and what each uses: only words above it, so that there is no cycle.
-const WORDS: [(&str, &[&str]); 38] = [
+const WORDS: [(&str, &[&str]); 39] = [
     ("error", &[]),
     ("num", &[]),
     ("palette", &[]),
@@ -39,7 +39,8 @@ const WORDS: [(&str, &[&str]); 38] = [
     ("svg_data", &["num", "svg_arc", "svg_number"]),
     ("svg", &["affine", "curve", "edge", "num", "outline", "space", "svg_data", "svg_number"]),
     ("phase", &["num"]),
-    ("target", &["colour", "num", "phase", "space", "span", "vary"]),
+    ("shade", &["colour", "num"]),
+    ("target", &["colour", "num", "phase", "shade", "space", "span", "vary"]),
     ("on_draw_target", &["num", "phase", "space", "target"]),
     ("runs", &["on_draw_target", "space", "target"]),
 ];
