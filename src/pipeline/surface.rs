@@ -140,7 +140,7 @@ impl<S: Shading, I: Illumination> Surface<'_, S, I> {
     /// The light on a vertex.
     #[inline]
     fn light_at(&self, index: u16, side: Side) -> Light {
-        let vertex = self.vertex(index);
+        let Some(vertex) = self.vertices.get(usize::from(index)) else { return Light::BLACK };
         if side == Side::Back { vertex.back } else { vertex.front }
     }
 }
