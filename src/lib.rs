@@ -79,6 +79,7 @@ mod phase;
 mod pieces;
 mod polynomial;
 mod runs;
+mod shade;
 pub mod slopes;
 mod sort;
 mod space;
@@ -179,6 +180,7 @@ pub use raster::{
     triangle::Triangle,
 };
 pub use runs::{Inside, PerPixel, Runs};
+pub use shade::Shade;
 pub use space::{
     CLIP_LIMIT, Clip, GUARD_BAND, LEAST_W, Model, Point2, Point3, Point4, Rect, Vector3, View, World, twice_area,
 };

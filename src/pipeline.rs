@@ -47,7 +47,7 @@ use crate::{
         assembly::{Assembly, Face},
         mesh::Mesh,
     },
-    space::{Clip, Model, Point2, Point3, View, World},
+    space::{Clip, Model, Point2, Point3, View, World, twice_area},
     target::Target,
 };
 pub use bounds::Bounds;
@@ -275,6 +275,9 @@ fn prepared<'s, S: Shading, B: Bounds, L: Lighting, E>(
 }
 
 /// Every triangle that shows a side that is wanted, cut in pieces where it must be.
+///
+/// Out of line, so that it has the registers of a small core for itself.
+#[inline(never)]
 fn each_piece<S: Shading, I: Illumination, E>(
     surface: &Surface<'_, S, I>,
     take: &mut impl FnMut(&MeshTriangle, &Piece<S::Attributes>) -> Result<(), E>,
@@ -286,15 +289,20 @@ fn each_piece<S: Shading, I: Illumination, E>(
     };
     let listed = list.iter().enumerate().map(|(number, &corners)| Face { corners, number });
     for face in listed.chain(others.into_iter().flatten()) {
-        let vertices = surface.vertices_of(face.corners);
-        let [a, b, c] = &vertices;
-        if !(a.is_projected() && b.is_projected() && c.is_projected()) {
-            each_clipped(surface, face, take)?;
-            continue;
-        }
-        let (a, b, c) = (a.position(), b.position(), c.position());
-        if let Some(side) = surface.faces.shows(signed_area(a, b, c)) {
-            take(&MeshTriangle { face, side }, &Piece::of_vertices(&vertices))?;
+        let Some(vertices @ [a, b, c]) = surface.vertices_of(face.corners) else { continue };
+        // Twice its area; nearly all triangles are short ones.
+        let area = match MeshVertex::short_area(a, b, c) {
+            Some(area) => area.into(),
+            None if vertices.iter().all(|vertex| vertex.is_projected()) => {
+                twice_area(a.position(), b.position(), c.position())
+            }
+            None => {
+                each_clipped(surface, face, take)?;
+                continue;
+            }
+        };
+        if let Some(side) = surface.faces.shows(area) {
+            take(&MeshTriangle { face, side }, &Piece::of_vertices(vertices))?;
         }
     }
     Ok(())

@@ -40,8 +40,8 @@ pub struct Slopes {
     area: i64,
     /// One over it, if the triangle is small.
     over_area: Option<(u32, u32)>,
-    /// All digits of its sides.
-    longest: u32,
+    /// So many digits more than 16 of the rises have room in products of 32 bits.
+    room: u32,
 }
 
 impl Slopes {
@@ -53,13 +53,19 @@ impl Slopes {
         let longest = |(x, y): (i32, i32)| x.unsigned_abs() | y.unsigned_abs();
         let from = (a.x.to_bits() >> 4, a.y.to_bits() >> 4);
         let longest = longest(to_second) | longest(to_third);
+        let room = match longest {
+            0..0x40 => 7,
+            0x40..0x100 => 5,
+            0x100..0x400 => 3,
+            _ => 0,
+        };
         if longest < SMALL {
             let area = to_second.0 * to_third.1 - to_third.0 * to_second.1;
             let over_area = Some(reciprocal(area.unsigned_abs()));
-            return Self { first: a, from, to_second, to_third, area: area.into(), over_area, longest };
+            return Self { first: a, from, to_second, to_third, area: area.into(), over_area, room };
         }
         let from = (from.0.clamp(0, SCREEN), from.1.clamp(0, SCREEN));
-        Self { first: a, from, to_second, to_third, area: twice_area(a, b, c), over_area: None, longest }
+        Self { first: a, from, to_second, to_third, area: twice_area(a, b, c), over_area: None, room }
     }
 
     /// The plane of attributes of 16 bits, a list for each corner.
@@ -121,14 +127,7 @@ impl Slopes {
         let (b, c) = (self.to_second, self.to_third);
         let difference = |p: i32, q: i32, r: i32, s: i32| p.wrapping_mul(q).wrapping_sub(r.wrapping_mul(s));
         let along = [difference(second, c.1, third, b.1), difference(third, b.0, second, c.0)];
-        // In smaller triangles they may have more digits.
-        let room = match self.longest {
-            0..0x40 => 7,
-            0x40..0x100 => 5,
-            0x100..0x400 => 3,
-            _ => 0,
-        };
-        Numerators { along: along.map(|along| along << room), cut: cut.cast_signed() - room }
+        Numerators { along: along.map(|along| along << self.room), cut: cut.cast_signed() - self.room.cast_signed() }
     }
 
     /// The same in products of 64 bits, with 31 digits.

@@ -10,6 +10,7 @@ use crate::{
     colour::Light,
     num::{count, index},
     phase::{bits_of, bits_of_bytes, phase},
+    shade::Shade,
     space::Rect,
     span::Sink,
     vary::Ramp,
@@ -134,6 +135,19 @@ pub trait Target {
         Self::Color: From<Light>,
     {
         self.write_run(row, columns, light.map(|[light]| Some(Light(light).into())))
+    }
+
+    /// Gives the pixels of a run one light, as [`fill_run`](Self::fill_run) does; what is found on the way stays in `shade` for
+    /// the next run. A shade is for one target, or for those that show light alike.
+    ///
+    /// # Errors
+    /// What the display behind says.
+    #[inline]
+    fn fill_shade(&mut self, row: i32, columns: Range<i32>, shade: &mut Shade) -> Result<(), Self::Error>
+    where
+        Self::Color: From<Light>,
+    {
+        self.fill_run(row, columns, [shade.light().into()])
     }
 
     /// Gives the pixels of an area colours that repeat every eight columns and eight rows, counted on the screen:

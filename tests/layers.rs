@@ -40,7 +40,8 @@ const WORDS: [(&str, &[&str]); 39] = [
     ("svg_data", &["num", "svg_arc", "svg_number"]),
     ("svg", &["affine", "curve", "edge", "num", "outline", "space", "svg_data", "svg_number"]),
     ("phase", &["num"]),
-    ("target", &["colour", "num", "phase", "space", "span", "vary"]),
+    ("shade", &["colour", "num"]),
+    ("target", &["colour", "num", "phase", "shade", "space", "span", "vary"]),
     ("on_draw_target", &["num", "phase", "space", "target"]),
     ("runs", &["on_draw_target", "space", "target"]),
 ];

@@ -71,8 +71,7 @@ pub(super) struct Piece<A> {
 
 impl<A> Piece<A> {
     #[inline]
-    pub(super) fn of_vertices(vertices: &[MeshVertex; 3]) -> Self {
-        let [a, b, c] = vertices;
+    pub(super) fn of_vertices([a, b, c]: [&MeshVertex; 3]) -> Self {
         Self {
             positions: [a.position(), b.position(), c.position()],
             depths: [a.depth(), b.depth(), c.depth()],

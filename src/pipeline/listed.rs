@@ -60,7 +60,7 @@ impl ListedFace {
     ) -> Option<Piece<S::Attributes>> {
         let Face { corners, number } = self.triangle().face;
         if self.piece == 0 {
-            return Some(Piece::of_vertices(&surface.vertices_of(corners)));
+            return surface.vertices_of(corners).map(Piece::of_vertices);
         }
         let mut left = self.piece;
         each_clipped(surface, Face { corners, number }, &mut |_, piece| {

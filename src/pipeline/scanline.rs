@@ -239,9 +239,9 @@ impl<'s, S: Shading, I: Illumination, const N: usize> Scanlines<'s, S, I, N> {
                 end = columns.start + (end - columns.start) / 2;
             }
             for run in self.runs.iter() {
-                let Some(active) = self.active.get(usize::from(run.surface())) else { continue };
+                let Some(active) = self.active.get_mut(usize::from(run.surface())) else { continue };
                 let Some(surface) = self.surfaces.get(usize::from(active.instance)) else { continue };
-                surface.shading.paint(&surface.light, &active.face, (self.row, run.columns()), target)?;
+                surface.shading.paint(&surface.light, &mut active.face, (self.row, run.columns()), target)?;
             }
             columns.start = end;
         }

@@ -90,10 +90,11 @@ impl<S: Shading, I: Illumination> Surface<'_, S, I> {
         self.vertices.get(usize::from(index)).copied().unwrap_or_default()
     }
 
-    /// Those of a face.
+    /// Those of a face. All are there: a mesh has checked its indices.
     #[inline]
-    pub(super) fn vertices_of(&self, [a, b, c]: [u16; 3]) -> [MeshVertex; 3] {
-        [self.vertex(a), self.vertex(b), self.vertex(c)]
+    pub(super) fn vertices_of(&self, [a, b, c]: [u16; 3]) -> Option<[&MeshVertex; 3]> {
+        let vertex = |index: u16| self.vertices.get(usize::from(index));
+        Some([vertex(a)?, vertex(b)?, vertex(c)?])
     }
 
     /// Where a vertex is in the object's own space.
@@ -139,7 +140,7 @@ impl<S: Shading, I: Illumination> Surface<'_, S, I> {
     /// The light on a vertex.
     #[inline]
     fn light_at(&self, index: u16, side: Side) -> Light {
-        let vertex = self.vertex(index);
+        let Some(vertex) = self.vertices.get(usize::from(index)) else { return Light::BLACK };
         if side == Side::Back { vertex.back } else { vertex.front }
     }
 }

@@ -105,10 +105,10 @@ where
     T: Target<Color = S::Color>,
 {
     let Some(corners) = tree.triangles().vertices(piece.triangle) else { return Ok(()) };
-    let vertices = surface.vertices_of(corners);
+    let Some(vertices) = surface.vertices_of(corners) else { return Ok(()) };
     let face = Face { corners, number: usize::from(piece.triangle) };
-    let are_projected = vertices.iter().all(MeshVertex::is_projected);
-    let [a, b, c] = vertices.each_ref().map(MeshVertex::position);
+    let are_projected = vertices.iter().all(|vertex| vertex.is_projected());
+    let [a, b, c] = vertices.map(MeshVertex::position);
     let side = surface.faces.shows(signed_area(a, b, c));
     if are_projected && side.is_none() {
         return Ok(());
@@ -119,7 +119,7 @@ where
     let mut fragments = Fragments { hidden: &mut within, target: fragments.target, bounds: fragments.bounds };
     match side {
         Some(side) if are_projected => {
-            fragments.draw(surface, &MeshTriangle { face, side }, &Piece::of_vertices(&vertices))
+            fragments.draw(surface, &MeshTriangle { face, side }, &Piece::of_vertices(vertices))
         }
         _ => each_clipped(surface, face, &mut |triangle, piece| fragments.draw(surface, triangle, piece)),
     }

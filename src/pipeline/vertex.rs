@@ -24,6 +24,9 @@ pub struct MeshVertex {
     pub(super) back: Light,
 }
 
+/// 2048 pixels, in sixteenths.
+const SHORT: i32 = 1 << 15;
+
 impl MeshVertex {
     /// Something to fill an array with. All its bytes are zero, so that a static array takes no flash.
     pub const EMPTY: Self = Self { across: 0, down: 0, front: Light::BLACK, back: Light::BLACK };
@@ -55,6 +58,23 @@ impl MeshVertex {
     #[inline]
     pub(super) const fn position(&self) -> Point2 {
         Point2::from_sixteenths(self.across.cast_signed() >> 12, self.down.cast_signed() >> 12)
+    }
+
+    /// Twice the signed area of a triangle whose corners are less than 2048 pixels from the first one.
+    ///
+    /// `None` of others, and of those without area: so a corner that must be clipped, which is farther from all that are
+    /// projected, is told without a look, and so are three of them, which lie on each other.
+    #[inline]
+    pub(super) fn short_area(a: &Self, b: &Self, c: &Self) -> Option<i32> {
+        let along = |from: u32, to: u32| (to.cast_signed() >> 12) - (from.cast_signed() >> 12);
+        let (bx, by) = (along(a.across, b.across), along(a.down, b.down));
+        let (cx, cy) = (along(a.across, c.across), along(a.down, c.down));
+        let digits = |v: i32| bits(v + SHORT);
+        if (digits(bx) | digits(by) | digits(cx) | digits(cy)) >= 2 * bits(SHORT) {
+            return None;
+        }
+        // Below 2³⁰ each.
+        Some(bx * cy - cx * by).filter(|&area| area != 0)
     }
 
     /// The depth in 31 bits, as it is carried over a triangle.

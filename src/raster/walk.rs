@@ -32,11 +32,11 @@ pub(crate) struct Short {
     spans: [[u8; 2]; SHORT_ROWS],
 }
 
-/// Two edges of a triangle.
+/// Two edges of a triangle, one of them its longest.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Edges {
-    long: Edge,
-    short: Edge,
+    left: Edge,
+    right: Edge,
     /// The second short edge begins at this row …
     turn: i32,
     /// … and is this.
@@ -116,23 +116,24 @@ impl Edges {
         }
         let (turn, lower) = (first_row(middle.y.to_bits()), [middle, bottom]);
         let [upper, below] = if row < turn { [top, middle] } else { lower };
-        Some(Self { long: Edge::new(top, bottom, row), short: Edge::new(upper, below, row), turn, lower, long_is_left })
+        let (long, short) = (Edge::new(top, bottom, row), Edge::new(upper, below, row));
+        let (left, right) = if long_is_left { (long, short) } else { (short, long) };
+        Some(Self { left, right, turn, lower, long_is_left })
     }
 
     #[inline]
     const fn columns(&self) -> Range<i32> {
-        let (long, short) = (self.long.column(), self.short.column());
-        if self.long_is_left { long..short } else { short..long }
+        self.left.column()..self.right.column()
     }
 
     #[inline]
     fn advance(&mut self, row: i32) {
-        self.long.advance();
+        self.left.advance();
+        self.right.advance();
         if row == self.turn {
             let [middle, bottom] = self.lower;
-            self.short = Edge::new(middle, bottom, row);
-        } else {
-            self.short.advance();
+            let short = if self.long_is_left { &mut self.right } else { &mut self.left };
+            *short = Edge::new(middle, bottom, row);
         }
     }
 }

@@ -59,6 +59,7 @@ use crate::{
     display::level::{Levels, Shades},
     num::index,
     phase::{eight, phase, repeated},
+    shade::Shade,
     space::Rect,
     target::{Code, Target},
     vary::Ramp,
@@ -303,6 +304,11 @@ where
         } else {
             self.write_run(row, columns, lights.map(Some))
         }
+    }
+
+    #[inline]
+    fn fill_shade(&mut self, row: i32, columns: Range<i32>, shade: &mut Shade) -> Result<(), T::Error> {
+        if M::REPEATS { self.draw_shade(row, columns, shade) } else { self.fill_run(row, columns, [shade.light()]) }
     }
 
     #[inline]

@@ -20,6 +20,7 @@ use super::{Dithered, Mask};
 use crate::{
     colour::Light,
     num::{FRACTION_16_15, bits, from_16_15, index, low_index, low_u8, to_16_15},
+    shade::Shade,
     target::{Code, Target},
     vary::Ramp,
 };
@@ -87,8 +88,18 @@ where
         self.target.fill_bits(row, columns, neighbours(code), byte)
     }
 
-    /// How a light is shown in a row, which is kept for the next run.
+    /// The same of a light that knows how it is shown.
     #[inline]
+    pub(super) fn draw_shade(&mut self, row: i32, columns: Range<i32>, shade: &mut Shade) -> Result<(), T::Error> {
+        let (code, byte) = shade.in_row(row, |light| {
+            let Flat { code, byte, .. } = self.find_flat(row, light);
+            (code, byte)
+        });
+        self.target.fill_bits(row, columns, neighbours(code), byte)
+    }
+
+    /// How a light is shown in a row, which is kept for the next run.
+    #[inline(never)]
     fn find_flat(&mut self, row: i32, light: Light) -> Flat {
         self.shades.move_to(light);
         let code = self.shades.darker();

@@ -7,6 +7,7 @@ use crate::{
     colour::Light,
     illumination::{Illumination, unit_normal},
     num::saturate_i16,
+    shade::Shade,
     target::Target,
     vary::{Plane, Ramp},
 };
@@ -39,7 +40,7 @@ impl Shading for Unlit {
     fn paint<I: Illumination, T: Target<Color = Light>>(
         &self,
         _light: &I,
-        _face: &(),
+        _face: &mut (),
         (row, columns): (i32, Range<i32>),
         target: &mut T,
     ) -> Result<(), T::Error> {
@@ -54,7 +55,7 @@ pub struct Flat;
 
 impl Shading for Flat {
     type Attributes = [u16; 0];
-    type Face = Light;
+    type Face = Shade;
     type Color = Light;
     const IS_CHEAP: bool = true;
 
@@ -64,7 +65,7 @@ impl Shading for Flat {
     }
 
     #[inline]
-    fn face<I: Illumination>(&self, light: &I, facet: &Facet<'_, [u16; 0]>) -> Light {
+    fn face<I: Illumination>(&self, light: &I, facet: &Facet<'_, [u16; 0]>) -> Shade {
         let [a, b, c] = facet.corners;
         // A third is 21845 / 65536, and the product has 31 bits at the most.
         let middle = |axis: fn(&[i16; 3]) -> i16| {
@@ -76,28 +77,28 @@ impl Shading for Flat {
             Some(normal) => light.on_vertex(position, normal),
             None => light.on(position, normal_of_sum([a.normal, b.normal, c.normal])),
         };
-        on_face.reflected(a.color.0)
+        Shade::new(on_face.reflected(a.color.0))
     }
 
     #[inline]
     fn colors<I: Illumination>(
         &self,
         _light: &I,
-        face: &Light,
+        face: &Shade,
         _at: (i32, i32),
     ) -> impl Iterator<Item = Option<Light>> {
-        core::iter::repeat(Some(*face))
+        core::iter::repeat(Some(face.light()))
     }
 
     #[inline]
     fn paint<I: Illumination, T: Target<Color = Light>>(
         &self,
         _light: &I,
-        face: &Light,
+        face: &mut Shade,
         (row, columns): (i32, Range<i32>),
         target: &mut T,
     ) -> Result<(), T::Error> {
-        target.fill_run(row, columns, [*face])
+        target.fill_shade(row, columns, face)
     }
 }
 
@@ -145,7 +146,7 @@ impl Shading for Gouraud {
     fn paint<I: Illumination, T: Target<Color = Light>>(
         &self,
         _light: &I,
-        face: &Plane<1>,
+        face: &mut Plane<1>,
         (row, columns): (i32, Range<i32>),
         target: &mut T,
     ) -> Result<(), T::Error> {

@@ -110,7 +110,7 @@ impl<C: Copy> Shading for Plain<C> {
     fn paint<I: Illumination, T: Target<Color = C>>(
         &self,
         _light: &I,
-        _face: &(),
+        _face: &mut (),
         (row, columns): (i32, Range<i32>),
         target: &mut T,
     ) -> Result<(), T::Error> {

@@ -122,7 +122,7 @@ pub trait Shading {
     ) -> impl Iterator<Item = Option<Self::Color>>;
 
     /// Draws a run of pixels that are all seen, of a shading that [drops](Self::DROPS) none; `run` is its row and its
-    /// columns.
+    /// columns. The face may keep what the next runs of it can use.
     ///
     /// # Errors
     /// What the target says.
@@ -130,7 +130,7 @@ pub trait Shading {
     fn paint<I: Illumination, T: Target<Color = Self::Color>>(
         &self,
         light: &I,
-        face: &Self::Face,
+        face: &mut Self::Face,
         (row, columns): (i32, Range<i32>),
         target: &mut T,
     ) -> Result<(), T::Error> {
