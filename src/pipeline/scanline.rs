@@ -147,6 +147,7 @@ impl<'s, S: Shading, I: Illumination, const N: usize> Scanlines<'s, S, I, N> {
     }
 
     /// Draws the next row. Every pixel of a surface is given once, from left to right; where none is, `target` stays as it is.
+    /// The targets of all rows show light alike.
     ///
     /// # Errors
     /// What the target says. The row counts as drawn.

@@ -4,7 +4,7 @@ use core::fmt::Debug;
 
 use aquatint::{
     BAYER_4X4, BAYER_8X8, BLUE_NOISE_16, Code, Columns, Dithered, FrameRateControl, IntoLight, Inverted, Levels, Light,
-    LsbFirst, MsbFirst, OnDrawTarget, Pages, Planes, R2Noise, Rect, Rgb332, Rows, Target, Window,
+    LsbFirst, MsbFirst, OnDrawTarget, Pages, Planes, R2Noise, Rect, Rgb332, Rows, Shade, Target, Window,
     display::{
         dither::{Mask, Method},
         halftone::DOTS_6X6,
@@ -90,6 +90,12 @@ fn fill_light<C: Code + Debug, L: Layout<C>>(packing: Packing, mask: &impl Mask,
         let mut dithered = Dithered::new(frame, levels).with_method(mask);
         for row in area.intersection(Rect::new(-50, -50, 99, 99)).rows() {
             let Ok(()) = dithered.fill_run(row, area.columns(), [light]);
+        }
+    });
+    conform::<C, L>(packing, &expected, |frame| {
+        let (mut dithered, mut shade) = (Dithered::new(frame, levels).with_method(mask), Shade::new(light));
+        for row in area.intersection(Rect::new(-50, -50, 99, 99)).rows() {
+            let Ok(()) = dithered.fill_shade(row, area.columns(), &mut shade);
         }
     });
     conform::<C, L>(packing, &expected, |frame| {
