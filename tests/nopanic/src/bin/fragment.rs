@@ -2,11 +2,11 @@
 #![no_std]
 #![no_main]
 
-use core::{convert::Infallible, hint::black_box};
+use core::hint::black_box;
 
 use aquatint::{
     Alpha, Blend, BlendMode, Blended, Brush, Code, Coverage, CoverageCurve, Covered, Exposure, Extend, Frame, Ink, Light,
-    LinearGradient, OnBackground, Pattern, PictureInk, RadialGradient, Rgb332, Rows, Sampler, Sink, Stencil, Target,
+    LinearGradient, OnBackground, Pattern, PictureInk, RadialGradient, Rgb332, Rows, Sampler, Sink, Stencil,
     Texture, Words,
     fragment::{
         gradient::between,
@@ -16,7 +16,6 @@ use aquatint::{
     },
 };
 use embedded_graphics::{
-    image::GetPixel,
     pixelcolor::{BinaryColor, Gray4, Gray8, Rgb565},
     prelude::*,
 };

@@ -114,8 +114,6 @@ fn rounds() {
     styled(&circle, &stroke_style());
     styled(&ellipse, &fill_style());
     styled(&ellipse, &stroke_style());
-    soft(&circle);
-    soft(&ellipse);
     keep((circle.bounding_box(), ellipse.bounding_box(), circle.translate(any()), ellipse.translate(any())));
 }
 
@@ -151,60 +149,55 @@ fn paths() {
     let segments = segments();
     let Ok(path) = Path::new(part(&segments)) else { return };
     outline(&path);
-    filled(&path);
+    traced(&path);
+    styled(&path, &fill_style());
+    soft(&path);
+    keep(path.styled_bounding_box(&AntialiasedStyle::stroke(Gray4::new(any()), any())));
     let placed = Placed::new(path, any());
-    filled(&placed);
-    keep(placed.translate(any()).bounding_box());
+    traced(&placed.translate(any()));
+    styled(&placed, &fill_style());
 }
 
-fn filled<D>(shape: &D)
-where
-    D: Outline
-        + Dimensions
-        + ContainsPoint
-        + StyledDrawable<FillStyle<BinaryColor>, Color = BinaryColor>
-        + StyledDimensions<FillStyle<BinaryColor>>
-        + StyledDrawable<AntialiasedStyle<Gray4>, Color = Alpha<Gray4>>
-        + StyledDimensions<AntialiasedStyle<Gray4>>,
-{
-    styled(shape, &fill_style());
-    soft(shape);
+/// What differs from outline to outline: how it is traced. The rest is that of a path.
+fn traced<O: Outline + Dimensions + ContainsPoint>(shape: &O) {
+    shape.trace(&mut Kept);
+    shape.trace_fine(&mut Kept);
     keep((shape.bounding_box(), shape.contains(any())));
-    keep(shape.styled_bounding_box(&AntialiasedStyle::stroke(Gray4::new(any()), any())));
 }
 
 fn polygons() {
     let corners = [any::<Point2>(); 8];
     let contours = [part(&corners), part(&corners)];
     let Ok(polygon) = Polygon::new(part(&contours)) else { return };
-    filled(&polygon);
+    traced(&polygon);
+    styled(&polygon, &fill_style());
     let mut edges = Vec::<ActiveEdge, 16>::new();
     keep(polygon.spans(black_box(Rule::EvenOdd), &mut edges, &mut sink()));
     let (Ok(open), Ok(closed)) = (Polyline::new(part(&corners)), Polyline::closed(part(&corners))) else { return };
     strokes(&open);
-    soft(&open);
-    strokes(&closed);
+    closed.trace_fine(&mut Kept);
     keep((open.bounding_box(), closed.bounding_box()));
     let Ok(rounded) = RoundedRectangle::new(any(), any()) else { return };
-    filled(&rounded.with_radii(any()));
+    traced(&rounded.with_radii(any()));
     keep(rounded.radii());
 }
 
 fn ovals() {
     let Ok(oval) = Oval::new(any(), any()) else { return };
-    filled(&oval);
+    traced(&oval);
     let arc = oval.arc(any(), any());
-    styled(&arc, &fill_style());
-    soft(&arc);
-    filled(&Chord(arc));
-    filled(&Sector(arc));
+    traced(&arc);
+    traced(&Chord(arc));
+    traced(&Sector(arc));
+    styled(&oval, &fill_style());
     keep(arc.start_point());
 }
 
 fn svg() {
     match SvgPath::new(text()) {
         Ok(path) => {
-            filled(&path.with_map(any()).scaled(any()));
+            traced(&path.with_map(any()).scaled(any()));
+            styled(&path, &fill_style());
             keep(path.translate(any()).bounding_box());
         }
         Err(error) => keep((error.offset, error.problem)),
@@ -291,7 +284,6 @@ fn floods() {
 /// Those of embedded-graphics, antialiased.
 fn primitives() {
     soft(&primitives::Line::new(any(), any()));
-    soft(&primitives::Circle::new(any(), any()));
     soft(&primitives::Ellipse::new(any(), any()));
     soft(&primitives::Triangle::new(any(), any(), any()));
     soft(&primitives::Rectangle::new(any(), any()));
