@@ -7,7 +7,8 @@
 use core::{hint::black_box, panic::PanicInfo};
 
 use aquatint::{
-    Affine, Angle, Coverage, Light, Matrix, Point2, Point3, Point4, Rect, Scalar, Subpixel, Vector3, tone::xyz::Tristimulus,
+    Affine, Angle, Coverage, Light, Matrix, Point2, Point3, Point4, Rect, Scalar, Subpixel, Vector3,
+    tone::xyz::Tristimulus,
 };
 use embedded_graphics::{
     geometry::{Point, Size},

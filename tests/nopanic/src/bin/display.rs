@@ -6,8 +6,8 @@ use core::{convert::Infallible, hint::black_box};
 
 use aquatint::{
     Blit, Changed, Columns, Dirty, FourColor, Frame, Grain, Inside, Inverted, Light, LsbFirst, MsbFirst, OnDrawTarget,
-    Pages, PerPixel, Planes, RasterOp, Rgb332, Rows, Runs, SevenColor, SixColor, Target, ThreeColor, Turn, Turned, Window,
-    Words,
+    Pages, PerPixel, Planes, RasterOp, Rgb332, Rows, Runs, SevenColor, SixColor, Target, ThreeColor, Turn, Turned,
+    Window, Words,
     display::{
         blit::{Coded, Part},
         frame::Spacing,

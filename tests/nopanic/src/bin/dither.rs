@@ -5,13 +5,14 @@
 use core::{convert::Infallible, hint::black_box};
 
 use aquatint::{
-    AlongCurve, BAYER_2X2, BAYER_4X4, BAYER_8X8, BAYER_16X16, BLUE_NOISE_16, BLUE_NOISE_64, ChannelLevels, Code, CodeMask,
-    Diffusion, Dithered, DitheredDrawTarget, DotGain, FourColor, Frame, FrameRateControl, GlyphSheet, Hilbert, InkMix,
-    Interleaved, Levels, Light, Pages, Palette, R2Noise, RankMask, Rgb332, Rows, Scaler, SevenColor, SixColor, Target,
-    ThreeColor, Window,
+    AlongCurve, BAYER_2X2, BAYER_4X4, BAYER_8X8, BAYER_16X16, BLUE_NOISE_16, BLUE_NOISE_64, ChannelLevels, Code,
+    CodeMask, Diffusion, Dithered, DitheredDrawTarget, DotGain, FourColor, Frame, FrameRateControl, GlyphSheet,
+    Hilbert, InkMix, Interleaved, Levels, Light, Pages, Palette, R2Noise, RankMask, Rgb332, Rows, Scaler, SevenColor,
+    SixColor, Target, ThreeColor, Window,
     display::{
         diffuse::{
-            Atkinson, Burkes, Carry, FloydSteinberg, JarvisJudiceNinke, Kernel, Riemersma, Scan, Sierra, SierraLite, Stucki,
+            Atkinson, Burkes, Carry, FloydSteinberg, JarvisJudiceNinke, Kernel, Riemersma, Scan, Sierra, SierraLite,
+            Stucki,
         },
         dither::{self, Mask, Method, Quantise},
         halftone,

@@ -5,8 +5,8 @@
 use core::hint::black_box;
 
 use aquatint::{
-    Alpha, Blend, BlendMode, Blended, Brush, Code, Coverage, CoverageCurve, Covered, Exposure, Extend, Frame, Ink, Light,
-    LinearGradient, OnBackground, Pattern, PictureInk, RadialGradient, Rgb332, Rows, Sampler, Sink, Stencil,
+    Alpha, Blend, BlendMode, Blended, Brush, Code, Coverage, CoverageCurve, Covered, Exposure, Extend, Frame, Ink,
+    Light, LinearGradient, OnBackground, Pattern, PictureInk, RadialGradient, Rgb332, Rows, Sampler, Sink, Stencil,
     Texture, Words,
     fragment::{
         gradient::between,
@@ -59,8 +59,7 @@ fn inks() {
     inked(PictureInk::tiled(&photo).anchored(any()));
 }
 
-fn blended<C: Code + Blend>(color: C)
-{
+fn blended<C: Code + Blend>(color: C) {
     let (mut bytes, parts) = ([0; 64], [any::<Coverage>(); 8]);
     let Ok(mut frame) = Lent::<C>::new(lent(&mut bytes), any(), any()) else { return };
     let alpha = || Alpha::new(color, any());

@@ -5,8 +5,8 @@
 use core::hint::black_box;
 
 use aquatint::{
-    Affine, Angle, Arc, Chord, Clip, Fog, Illumination, Light, Matrix, Model, Oval, Placed, Point2, Point3, Rect, Sector,
-    Vector3, View, World,
+    Affine, Angle, Arc, Chord, Clip, Fog, Illumination, Light, Matrix, Model, Oval, Placed, Point2, Point3, Rect,
+    Sector, Vector3, View, World,
     geometry::{
         face::{self, Faces},
         light::{Lamp, Lighting, Lit, Surface},
@@ -88,10 +88,9 @@ fn projections() {
 }
 
 fn quaternions() {
-    let (Some(one), Some(other)) = (
-        Quaternion::from_axis_angle::<World>(any(), any()),
-        Quaternion::from_axis_angle::<World>(any(), any()),
-    ) else {
+    let (Some(one), Some(other)) =
+        (Quaternion::from_axis_angle::<World>(any(), any()), Quaternion::from_axis_angle::<World>(any(), any()))
+    else {
         return;
     };
     keep((one.then(other), one.conjugate(), one.slerp(other, any()), one.nlerp(other, any())));
@@ -129,7 +128,9 @@ fn shine(light: &impl Illumination) {
 }
 
 fn fog() {
-    let (Ok(linear), Ok(exponential)) = (Fog::linear(any(), any(), any()), Fog::exponential(any(), any())) else { return };
+    let (Ok(linear), Ok(exponential)) = (Fog::linear(any(), any(), any()), Fog::exponential(any(), any())) else {
+        return;
+    };
     for fog in [linear, exponential] {
         keep((fog.part(any()), fog.over(any(), any()), fog.hiding(any(), any())));
     }

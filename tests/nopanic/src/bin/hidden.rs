@@ -5,20 +5,16 @@
 use core::{convert::Infallible, hint::black_box};
 
 use aquatint::{
-    Matrix, Model, Point3, Point4, View, World,
-    geometry::{
-        light::Lamp,
-        viewport::Viewport,
-    },
+    Frame, Light, Matrix, Model, Point3, Point4, View, Words, World,
+    geometry::{light::Lamp, viewport::Viewport},
     hidden::{
         Hidden,
-        bsp::{Arena, Choice, Node, Piece, Split, Tree, Triangles, TreeArrays},
+        bsp::{Arena, Choice, Node, Piece, Split, Tree, TreeArrays, Triangles},
         depth::{Depth, DepthBuffer, DepthTest},
         raycast::{self, Block, Hierarchy, Objects, Plane, Ray, Shape, Sphere, Triangle},
         solid_bsp::SolidTree,
     },
     pipeline::{Camera, Finish, PixelRays, Raycast, draw_rays},
-    Frame, Light, Words,
 };
 use nopanic::{any, keep, lent, part};
 

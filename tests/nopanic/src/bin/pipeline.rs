@@ -7,7 +7,10 @@ use core::hint::black_box;
 use aquatint::{
     BoundingBox3, BoundingSphere, ClipPlane, Dithered, Fog, Frame, Levels, Light, Rect, Rows, Sampler, Window, Words,
     fragment::{
-        shade::{Corner, Flat, Fogged, Gouraud, LineShading, Mapped, Phong, Plain, Shader, Shading, Stippled, Textured, Unlit},
+        shade::{
+            Corner, Flat, Fogged, Gouraud, LineShading, Mapped, Phong, Plain, Shader, Shading, Stippled, Textured,
+            Unlit,
+        },
         texture::{Bilinear, ClampToEdge, LightTexture, Mirror},
     },
     geometry::{

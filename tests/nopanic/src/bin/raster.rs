@@ -5,11 +5,10 @@
 use core::{convert::Infallible, hint::black_box, ops::Range};
 
 use aquatint::{
-    Alpha, AntialiasedStyle, Blended, Cap, Chord, Circle, Connectivity, Coverage, CoverageMask, Covered, Dashed, DdaLine,
-    Ellipse, FillStyle, Flatten, Flood, Frame, InPlace, Join, Line, Outline, Oval, Oversampled, Path, Pen, Placed, Point2,
-    Polygon, Polyline, RampLine, Region, RoundedRectangle, Rows, Rule, Sector, Segment, Sink, SpanFn, Stipple, Stroke,
-    StrokeStyle, Stroked, SvgPath, Triangle,
-    curve,
+    Alpha, AntialiasedStyle, Blended, Cap, Chord, Circle, Connectivity, Coverage, CoverageMask, Covered, Dashed,
+    DdaLine, Ellipse, FillStyle, Flatten, Flood, Frame, InPlace, Join, Line, Outline, Oval, Oversampled, Path, Pen,
+    Placed, Point2, Polygon, Polyline, RampLine, Region, RoundedRectangle, Rows, Rule, Sector, Segment, Sink, SpanFn,
+    Stipple, Stroke, StrokeStyle, Stroked, SvgPath, Triangle, curve,
     cut::{Cut, CutSpans},
     pixel_bounds,
     raster::{

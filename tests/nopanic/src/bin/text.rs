@@ -5,7 +5,8 @@
 use core::hint::black_box;
 
 use aquatint::{
-    AntialiasedStyle, Blended, FillStyle, Frame, GlyphId, Hershey, Outline, Pen, Point2, Rows, StrokeStyle, Text, Typeface,
+    AntialiasedStyle, Blended, FillStyle, Frame, GlyphId, Hershey, Outline, Pen, Point2, Rows, StrokeStyle, Text,
+    Typeface,
 };
 use embedded_graphics::{pixelcolor::Gray4, prelude::*, text::Alignment, transform::Transform};
 use nopanic::{any, keep, lent, part, text};
