@@ -142,7 +142,9 @@ impl<'r> Scanline<'r> {
         self.runs.push(run).map_err(|_| Full)?;
         if let Some([first, others @ ..]) = self.runs.get_mut(place..) {
             let mut moved = core::mem::replace(first, run);
-            others.iter_mut().for_each(|other| core::mem::swap(other, &mut moved));
+            for other in others {
+                core::mem::swap(other, &mut moved);
+            }
         }
         Ok(())
     }

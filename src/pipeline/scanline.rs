@@ -179,7 +179,7 @@ impl<'s, S: Shading, I: Illumination, const N: usize> Scanlines<'s, S, I, N> {
 
     #[inline]
     fn left(&self, slot: u16) -> i32 {
-        self.active.get(usize::from(slot)).map_or(i32::MIN, |face| face.start())
+        self.active.get(usize::from(slot)).map_or(i32::MIN, ActiveFace::start)
     }
 
     /// Moves a face to the left, behind those that are not right of it.

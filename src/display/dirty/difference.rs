@@ -21,7 +21,7 @@ pub(super) fn difference(old: &[u8], new: &[u8]) -> Option<RangeInclusive<usize>
 fn first_difference(mut old: &[u8], mut new: &[u8]) -> Option<usize> {
     let mut before = 0;
     while let (Some((a, rest)), Some((b, new_rest))) = (old.split_first_chunk(), new.split_first_chunk()) {
-        let change = change(a, b);
+        let change = change(*a, *b);
         if change != 0 {
             // In little-endian words the first byte is in the lowest bits.
             return Some(before + change.trailing_zeros() as usize / 8);
@@ -34,7 +34,7 @@ fn first_difference(mut old: &[u8], mut new: &[u8]) -> Option<usize> {
 #[inline]
 fn last_difference(mut old: &[u8], mut new: &[u8]) -> Option<usize> {
     while let (Some((rest, a)), Some((new_rest, b))) = (old.split_last_chunk(), new.split_last_chunk()) {
-        let change = change(a, b);
+        let change = change(*a, *b);
         if change != 0 {
             return Some(rest.len() + (WORD - 1) - change.leading_zeros() as usize / 8);
         }
@@ -45,6 +45,6 @@ fn last_difference(mut old: &[u8], mut new: &[u8]) -> Option<usize> {
 
 /// The bits that are different in a word of bytes, the first byte in the lowest.
 #[inline]
-fn change(old: &[u8; WORD], new: &[u8; WORD]) -> usize {
-    usize::from_le_bytes(*old) ^ usize::from_le_bytes(*new)
+fn change(old: [u8; WORD], new: [u8; WORD]) -> usize {
+    usize::from_le_bytes(old) ^ usize::from_le_bytes(new)
 }
