@@ -207,10 +207,18 @@ impl Decimal {
             _ if digits == 0 => 0,
             0 => digits << 16,
             _ if exponent > 0 => u64::MAX,
-            power @ 1..=19 => ((digits << 16) + 10_u64.pow(power) / 2) / 10_u64.pow(power),
+            power @ 1..=19 => over(digits << 16, 10_u64.pow(power)),
             _ => 0,
         };
         if units < 1 << 31 { Some(crate::num::low_i32(units.cast_signed())) } else { None }
+    }
+}
+
+/// A quotient, rounded to the nearest. Zero when `divisor` is, so that there is no panic.
+const fn over(dividend: u64, divisor: u64) -> u64 {
+    match (dividend + divisor / 2).checked_div(divisor) {
+        Some(quotient) => quotient,
+        None => 0,
     }
 }
 

@@ -33,6 +33,7 @@ use super::{
     layout::Layout,
 };
 use crate::{
+    lines::Lines,
     num::{low_index, size_i32},
     space::Rect,
 };
@@ -119,9 +120,8 @@ where
     pub fn draw<T: Blit>(&self, target: &mut T, text: &str, at: Point, color: T::Color) -> Point {
         let bounds = Rect::from(target.bounding_box());
         let mut corner = Point::new(at.x, at.y.saturating_sub(self.ascent()));
-        let mut lines = text.split('\n').peekable();
-        while let Some(line) = lines.next() {
-            let line = line.strip_suffix('\r').unwrap_or(line);
+        let mut lines = Lines::new(text).peekable();
+        while let Some((_, line)) = lines.next() {
             if corner.y < bounds.bottom && corner.y.saturating_add(self.height) > bounds.top {
                 self.draw_line(target, line, (corner, bounds.columns()), color);
             }

@@ -207,7 +207,7 @@ pub const fn linear_levels<const N: usize>() -> [u16; N] {
     const { assert!(N >= 2 && N <= 256, "codes are bytes") };
     let (mut lights, mut code) = ([0; N], 0);
     while code < N {
-        lights[code] = high_u16(nearest(code, 0xFFFF, N - 1) << 16);
+        lights[code] = high_u16(nearest(low_index(code), 0xFFFF, low_index(N - 1)) << 16);
         code += 1;
     }
     lights
@@ -219,15 +219,15 @@ pub const fn srgb_levels<const N: usize>() -> [u16; N] {
     const { assert!(N >= 2 && N <= 256, "codes are bytes") };
     let (mut lights, mut code) = ([0; N], 0);
     while code < N {
-        lights[code] = Light::from_srgb(low_u8(nearest(code, 255, N - 1))).0;
+        lights[code] = Light::from_srgb(low_u8(nearest(low_index(code), 255, low_index(N - 1)))).0;
         code += 1;
     }
     lights
 }
 
 /// `code` of 0 to `last` as the nearest of 0 to `white`.
-const fn nearest(code: usize, white: usize, last: usize) -> u32 {
-    low_index((2 * code * white + last) / (2 * last))
+const fn nearest(code: u32, white: u32, last: u32) -> u32 {
+    (2 * code * white + last) / (2 * last)
 }
 
 #[cfg(test)]

@@ -310,7 +310,8 @@ impl Position {
         // (2i + 1) from / (2 to) - ½
         let parts = 2 * to;
         let (whole, part) = divide_floor_i32(from.cast_signed() - to.cast_signed(), parts.cast_signed());
-        Self { whole, part: part.cast_unsigned(), parts, step: ((from / to).cast_signed(), 2 * (from % to)) }
+        let (step, rest) = divide_floor_i32(from.cast_signed(), to.cast_signed());
+        Self { whole, part: part.cast_unsigned(), parts, step: (step, 2 * rest.cast_unsigned()) }
     }
 
     fn advance(&mut self) {

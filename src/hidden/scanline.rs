@@ -137,6 +137,18 @@ impl<'r> Scanline<'r> {
         self.runs.iter().rposition(|run| i32::from(run.end) <= column).map_or(0, |before| before.wrapping_add(1))
     }
 
+    /// What is at a place and behind it moves on. `Vec::insert` would keep a panic.
+    fn insert_run(&mut self, place: usize, run: VisibleRun) -> Result<(), Full> {
+        self.runs.push(run).map_err(|_| Full)?;
+        if let Some([first, others @ ..]) = self.runs.get_mut(place..) {
+            let mut moved = core::mem::replace(first, run);
+            for other in others {
+                core::mem::swap(other, &mut moved);
+            }
+        }
+        Ok(())
+    }
+
     /// Puts a run before the one at `place`, or makes the one before it longer; gives the place of the run behind.
     #[inline]
     fn insert(&mut self, place: usize, columns: &Range<i32>, surface: u16) -> Result<usize, Full> {
@@ -145,7 +157,7 @@ impl<'r> Scanline<'r> {
             before.end = low_i16(columns.end);
             return Ok(place);
         }
-        self.runs.insert(place, VisibleRun::new(columns, surface)).map_err(|_| Full)?;
+        self.insert_run(place, VisibleRun::new(columns, surface))?;
         Ok(place.wrapping_add(1))
     }
 
@@ -166,7 +178,7 @@ impl<'r> Scanline<'r> {
         old.end = low_i16(left.end);
         let behind = self.insert(place.wrapping_add(1), columns, surface)?;
         if !right.is_empty() {
-            self.runs.insert(behind, VisibleRun::new(&right, loser)).map_err(|_| Full)?;
+            self.insert_run(behind, VisibleRun::new(&right, loser))?;
         }
         Ok(behind)
     }

@@ -48,7 +48,7 @@ impl DepthBias {
     pub(super) fn moved<const N: usize>(self, depths: [u32; N], steepness: u32) -> [u32; N] {
         let [farthest, nearest] = [FARTHEST, NEAREST].map(|depth| i64::from(fine(depth)));
         let bias = (i64::from(self.constant) << 15) + i64::from(self.slope) * i64::from(steepness);
-        depths.map(|depth| low_i32((i64::from(depth) + bias).clamp(farthest, nearest)).cast_unsigned())
+        depths.map(|depth| low_i32((i64::from(depth) + bias).max(farthest).min(nearest)).cast_unsigned())
     }
 }
 

@@ -225,7 +225,10 @@ impl<'s, S: Shading, I: Illumination, const N: usize> Scanlines<'s, S, I, N> {
             if self.order.get(before).is_none_or(|&slot| self.left(slot) <= left) {
                 break;
             }
-            self.order.swap(before, place);
+            // `swap` would keep a panic.
+            if let Some([other, this, ..]) = self.order.get_mut(before..) {
+                core::mem::swap(other, this);
+            }
             place = before;
         }
     }

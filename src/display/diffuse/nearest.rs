@@ -60,7 +60,7 @@ impl<'l> Steps<'l> {
 impl Nearest for Steps<'_> {
     #[inline]
     fn displayable(&self, light: Light) -> i32 {
-        light.0.clamp(self.darkest, self.brightest).into()
+        light.0.max(self.darkest).min(self.brightest).into()
     }
 
     #[inline]

@@ -18,31 +18,33 @@ pub(super) fn difference(old: &[u8], new: &[u8]) -> Option<RangeInclusive<usize>
 }
 
 #[inline]
-fn first_difference(old: &[u8], new: &[u8]) -> Option<usize> {
-    let mut words = zip(old.chunks_exact(WORD), new.chunks_exact(WORD)).map(change);
-    if let Some((word, change)) = (0..).zip(&mut words).find(|&(_, change)| change != 0) {
-        // In little-endian words the first byte is in the lowest bits.
-        return Some(WORD * word + change.trailing_zeros() as usize / 8);
+fn first_difference(mut old: &[u8], mut new: &[u8]) -> Option<usize> {
+    let mut before = 0;
+    while let (Some((a, rest)), Some((b, new_rest))) = (old.split_first_chunk(), new.split_first_chunk()) {
+        let change = change(*a, *b);
+        if change != 0 {
+            // In little-endian words the first byte is in the lowest bits.
+            return Some(before + change.trailing_zeros() as usize / 8);
+        }
+        (old, new, before) = (rest, new_rest, before + WORD);
     }
-    let behind = old.len() - old.len() % WORD;
-    let mut rest = zip(old.get(behind..)?, new.get(behind..)?);
-    rest.position(|(old, new)| old != new).map(|at| behind + at)
+    zip(old, new).position(|(old, new)| old != new).map(|at| before + at)
 }
 
 #[inline]
-fn last_difference(old: &[u8], new: &[u8]) -> Option<usize> {
-    let behind = old.len() - old.len() % WORD;
-    if let Some(at) = zip(old.get(behind..)?, new.get(behind..)?).rposition(|(old, new)| old != new) {
-        return Some(behind + at);
+fn last_difference(mut old: &[u8], mut new: &[u8]) -> Option<usize> {
+    while let (Some((rest, a)), Some((new_rest, b))) = (old.split_last_chunk(), new.split_last_chunk()) {
+        let change = change(*a, *b);
+        if change != 0 {
+            return Some(rest.len() + (WORD - 1) - change.leading_zeros() as usize / 8);
+        }
+        (old, new) = (rest, new_rest);
     }
-    let mut words = zip(old.chunks_exact(WORD), new.chunks_exact(WORD)).map(change).enumerate();
-    let (word, change) = words.rfind(|&(_, change)| change != 0)?;
-    Some(WORD * word + (WORD - 1) - change.leading_zeros() as usize / 8)
+    zip(old, new).rposition(|(old, new)| old != new)
 }
 
 /// The bits that are different in a word of bytes, the first byte in the lowest.
 #[inline]
-fn change((old, new): (&[u8], &[u8])) -> usize {
-    let word = |bytes: &[u8]| bytes.try_into().map_or(0, usize::from_le_bytes);
-    word(old) ^ word(new)
+fn change(old: [u8; WORD], new: [u8; WORD]) -> usize {
+    usize::from_le_bytes(old) ^ usize::from_le_bytes(new)
 }

@@ -109,8 +109,10 @@ impl<'f> Iterator for Windows<'_, 'f> {
             let apart = picture.planes * (part.byte_len() + next.byte_len());
             picture.planes * part.union(next).byte_len() <= apart.saturating_add(*overhead)
         };
-        while let Some(next) = bands.next_if(|next| is_cheaper(&part, next)) {
-            part = part.union(&next);
+        // Not `next_if`, which can panic.
+        while let Some(next) = bands.peek().filter(|next| is_cheaper(&part, next)) {
+            part = part.union(next);
+            bands.next();
         }
         let area = grid.area(&part).intersection(*bounds);
         Some(DirtyWindow::new(*picture, part, area))
@@ -149,8 +151,9 @@ impl Iterator for Bands<'_> {
             let Range { start, end } = self.changed(&lines);
             if start < end {
                 // Up to the end of the last tile that is begun.
-                let end = (end - 1 - (end - 1) % wide).saturating_add(wide).min(self.line_bytes);
-                return Some(Part { lines, bytes: start - start % wide..end });
+                let begin = |byte: usize| byte - byte.checked_rem(wide).unwrap_or(0);
+                let end = begin(end - 1).saturating_add(wide).min(self.line_bytes);
+                return Some(Part { lines, bytes: begin(start)..end });
             }
         }
         None

@@ -196,7 +196,7 @@ where
             self.shades.move_to(light);
             let next = self.next_switch(row, fine, step.cast_signed());
             let left = bits(visible.end.wrapping_sub(start));
-            let length = next.map_or(left, |switch| steps_to(switch, fine, step.cast_signed())).clamp(1, left);
+            let length = next.map_or(left, |switch| steps_to(switch, fine, step.cast_signed())).min(left).max(1);
             let end = start.wrapping_add(length.cast_signed());
             self.fill_flat(row, start..end, light)?;
             ramp = ramp.skipped(length);

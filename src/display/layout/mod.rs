@@ -155,13 +155,14 @@ impl Shape {
     #[must_use]
     pub const fn stride(self, width: u32, height: u32) -> usize {
         let along = if self.is_vertical { height } else { width };
-        count((along as u64 * (self.bits * self.rows_per_line) as u64).div_ceil(8))
+        count((along as u64).saturating_mul(self.bits as u64 * self.rows_per_line as u64).div_ceil(8))
     }
 
     /// Lines of a picture of this size, in all planes.
     #[must_use]
     pub const fn lines(self, width: u32, height: u32) -> u64 {
-        let across = if self.is_vertical { width } else { height.div_ceil(self.rows_per_line) };
+        let rows = if self.rows_per_line == 0 { 1 } else { self.rows_per_line };
+        let across = if self.is_vertical { width } else { height.div_ceil(rows) };
         across as u64 * self.planes as u64
     }
 }

@@ -38,7 +38,7 @@ where
         let (start, end) = (columns.start.wrapping_mul(2), columns.end.wrapping_mul(2));
         for line in memory.lines(rows) {
             let pixels = line.get_mut(start..end).unwrap_or_default().chunks_exact_mut(2);
-            pixels.zip(eight.iter().cycle()).for_each(|(pixel, color)| pixel.copy_from_slice(color));
+            pixels.zip(eight.iter().cycle()).for_each(|(pixel, &color)| put(pixel, color));
         }
     }
 
@@ -47,7 +47,7 @@ where
         let pixels = window.unwrap_or_default().chunks_exact_mut(2);
         for (pixel, color) in pixels.zip(colors) {
             if let Some(color) = color {
-                pixel.copy_from_slice(&bytes_of::<C, O>(color));
+                put(pixel, bytes_of::<C, O>(color));
             }
         }
     }
@@ -56,6 +56,14 @@ where
         let bytes = *memory.line(row)?.get(column.wrapping_mul(2)..)?.first_chunk()?;
         let code = if O::MSB_FIRST { u16::from_be_bytes(bytes) } else { u16::from_le_bytes(bytes) };
         Some(RawU16::new(code).into())
+    }
+}
+
+/// Writes the two bytes of a pixel. `copy_from_slice` would keep a panic.
+#[inline]
+fn put(pixel: &mut [u8], bytes: [u8; 2]) {
+    if let [first, second] = pixel {
+        [*first, *second] = bytes;
     }
 }
 

@@ -49,6 +49,7 @@ impl Sight {
         if across.abs() > self.radius {
             return length..length;
         }
-        (along - self.radius).clamp(0, length)..(along + self.radius).clamp(0, length)
+        let [start, end] = [along - self.radius, along + self.radius].map(|at| at.max(0).min(length));
+        start..end
     }
 }
