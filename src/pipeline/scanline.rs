@@ -58,7 +58,7 @@ pub struct ScanlineMemory<'m, F> {
 /// of 32 bits that all instances share.
 ///
 /// Memory: that of [`ScanlineMemory`], and on the stack 170 bytes an instance. Cost on a Cortex-M0, of flat triangles: some 200
-/// instructions for each row that a face reaches, some 150 for each run that is seen, and 3,000 a face.
+/// instructions for each row that a face reaches, some 150 for each run that is seen, and 5,000 a face with vertices of its own.
 ///
 /// ```
 /// use aquatint::{Dithered, Frame, Levels, Rect, Rows, Window, pipeline::{Scanlines, SceneMemory}};
