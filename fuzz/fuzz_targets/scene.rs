@@ -24,10 +24,12 @@ use aquatint::{
         mesh::Mesh,
     },
     pipeline::{
-        Camera, DepthBias, DrawError, Instance, Material, MeshVertex, Scene, SceneMemory, Workspace, draw_mesh, draw_scene,
+        Camera, DepthBias, DepthSortMemory, DrawError, Instance, Material, MeshVertex, ObjectSpaceMemory, Scene, SceneMemory,
+        Workspace, draw_compared, draw_mesh, draw_scene, draw_sorted,
     },
 };
 use arbitrary::Arbitrary;
+use heapless::Vec as Room;
 use embedded_graphics::pixelcolor::BinaryColor;
 use libfuzzer_sys::fuzz_target;
 
@@ -181,7 +183,7 @@ fn check<L: Lighting>(input: &Input, meshes: &[Arrays], scene: &Scene<L>) {
     }
 }
 
-/// Two meshes row by row: the pixels of a depth buffer of 32 bits.
+/// Two meshes row by row and in object space: the pixels of a depth buffer of 32 bits. Sorted by depth: no panic.
 fn by_rows<L: Lighting>(meshes: [&Arrays; 2], scene: &Scene<L>) {
     let instances = meshes.map(|arrays| {
         let mesh = Mesh::with_assembly(&arrays.positions, &arrays.normals, arrays.assembly()).expect("indices are right");
@@ -202,6 +204,27 @@ fn by_rows<L: Lighting>(meshes: [&Arrays; 2], scene: &Scene<L>) {
         assert!(drawn.is_ok() || result.is_err());
     }
     assert!(result.is_err() || rows == pixels);
+    let (mut vertices, mut faces) = ([MeshVertex::EMPTY; 2 * VERTICES], Room::<_, 512>::new());
+    let mut frame = Frame::<BinaryColor, Rows, _>::new(vec![0; rows.len()], WIDTH, HEIGHT).expect("large enough");
+    let (mut compared, mut bounds) = (Room::<_, 512>::new(), Room::<_, 2048>::new());
+    let memory = ObjectSpaceMemory {
+        vertices: &mut vertices,
+        faces: &mut faces,
+        compared: &mut compared,
+        bounds: &mut bounds,
+    };
+    let drawn = draw_compared(&instances, scene, memory, &mut Dithered::new(&mut frame, Levels::ONE_BIT));
+    assert!(drawn.is_err() || frame.bytes() == pixels);
+    let (mut pieces, mut corners, mut cuts) = (Room::<_, 1024>::new(), Room::<_, 8192>::new(), Room::<_, 2048>::new());
+    let memory = DepthSortMemory {
+        vertices: &mut vertices,
+        faces: &mut faces,
+        pieces: &mut pieces,
+        corners: &mut corners,
+        cuts: &mut cuts,
+    };
+    // Where depths tie, another face may be seen: only that it ends, and stays inside.
+    let _ = draw_sorted(&instances, scene, memory, &mut Dithered::new(&mut frame, Levels::ONE_BIT));
 }
 
 /// With a depth buffer of a band.

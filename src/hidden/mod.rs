@@ -4,8 +4,9 @@
 //! - **Gives** what of them is seen.
 //! - **Memory**, **Cost** as follows.
 //!
-//! All show the same picture, to the pixel: a face that is split keeps its pixels, its depths and its light. Only where two
-//! faces are at the same depth to a unit or two of 16 bits may one way show the one and another the other.
+//! All show the same picture: a face that is split keeps its pixels, its depths and its light. Only where two faces are at the
+//! same depth to a unit or two of 16 bits may one way show the one and another the other; rays, which round no corner, differ
+//! beside edges, too.
 //!
 //! | way | by | memory | instructions for 8, 64, 512 faces | grows with |
 //! |---|---|---|---|---|
