@@ -23,7 +23,7 @@
 
 use crate::{
     num::{SUBPIXELS, divide_floor, divide_floor_i32, low_i32, low_u32},
-    space::Point2,
+    space::{Point2, Rect},
 };
 
 /// Coordinates of vertices must be nearer to zero than this, in sixteenths: 4,194,304 pixels.
@@ -35,6 +35,16 @@ pub(crate) const LIMIT: u32 = 1 << 26;
 #[inline]
 pub(crate) const fn first_row(y: i32) -> i32 {
     (y + SUBPIXELS / 2 - 1) >> 4
+}
+
+/// The pixels whose centres a triangle reaches, along both axes.
+#[inline]
+pub(crate) fn reached_by([a, b, c]: &[Point2; 3]) -> Rect {
+    let reach = |a: i32, b: i32, c: i32| (first_row(a.min(b).min(c)), first_row(a.max(b).max(c)));
+    // A column is to an edge what a row is to a corner.
+    let (left, right) = reach(a.x.to_bits(), b.x.to_bits(), c.x.to_bits());
+    let (top, bottom) = reach(a.y.to_bits(), b.y.to_bits(), c.y.to_bits());
+    Rect::new(left, top, right, bottom)
 }
 
 /// One edge, standing on a row.

@@ -69,6 +69,7 @@ mod error;
 mod fog;
 pub mod illumination;
 mod lines;
+mod list;
 mod matrix;
 mod num;
 mod on_draw_target;

@@ -204,6 +204,12 @@ pub(crate) const fn low_u16(value: i32) -> u16 {
     value as u16
 }
 
+/// The low 16 bits of an index.
+#[inline]
+pub(crate) const fn index_u16(value: usize) -> u16 {
+    low_u16(low_index(value).cast_signed())
+}
+
 /// The low 32 bits of an index.
 #[inline]
 #[expect(clippy::cast_possible_truncation, reason = "modulo 2^32 by intent")]

@@ -13,13 +13,15 @@
 //!
 //! J. W. J. Williams, "Algorithm 232: heapsort", Communications of the ACM 7(6), 1964; R. W. Floyd built the heap in place.
 
+use crate::list::swap;
+
 /// Sorts by a strict order.
 pub(crate) fn heap_sort<T>(items: &mut [T], is_before: impl Fn(&T, &T) -> bool) {
     for top in (0..items.len() / 2).rev() {
         sink(items, top, &is_before);
     }
     for end in (1..items.len()).rev() {
-        items.swap(0, end);
+        swap(items, 0, end);
         sink(items.get_mut(..end).unwrap_or_default(), 0, &is_before);
     }
 }
@@ -34,7 +36,7 @@ fn sink<T>(items: &mut [T], mut place: usize, is_before: &impl Fn(&T, &T) -> boo
         if items.get(place).is_none_or(|item| !is_before(item, last)) {
             return;
         }
-        items.swap(place, child);
+        swap(items, place, child);
         place = child;
     }
 }

@@ -31,8 +31,8 @@ use super::{
 };
 use crate::{
     cut::Cut,
-    edge::first_row,
-    num::{bits, low_index, low_u16},
+    edge::reached_by,
+    num::{bits, index_u16},
     space::{Point2, Rect, twice_area},
     vary::Plane,
 };
@@ -80,15 +80,7 @@ impl ComparedFace {
 
     /// The box of its pixels in a window.
     fn pixels(&self, window: Rect) -> Rect {
-        let [a, b, c] = self.corners.map(|corner| (corner.x.to_bits(), corner.y.to_bits()));
-        // A column is to an edge what a row is to a corner.
-        Rect::new(
-            first_row(a.0.min(b.0).min(c.0)),
-            first_row(a.1.min(b.1).min(c.1)),
-            first_row(a.0.max(b.0).max(c.0)),
-            first_row(a.1.max(b.1).max(c.1)),
-        )
-        .intersection(window)
+        reached_by(&self.corners).intersection(window)
     }
 }
 
@@ -256,5 +248,5 @@ impl<'c> VisibleParts<'c> {
 
 /// Places of faces in a list of at most 65,535.
 pub(crate) fn numbers(faces: &[ComparedFace]) -> Range<u16> {
-    0..low_u16(low_index(faces.len()).cast_signed())
+    0..index_u16(faces.len())
 }

@@ -24,7 +24,10 @@ use core::ops::Range;
 
 use heapless::vec::VecView;
 
-use crate::num::{bits, low_i16};
+use crate::{
+    list::insert,
+    num::{bits, low_i16},
+};
 
 /// Pixels of a row in which one surface is seen.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -137,18 +140,6 @@ impl<'r> Scanline<'r> {
         self.runs.iter().rposition(|run| i32::from(run.end) <= column).map_or(0, |before| before.wrapping_add(1))
     }
 
-    /// What is at a place and behind it moves on. `Vec::insert` would keep a panic.
-    fn insert_run(&mut self, place: usize, run: VisibleRun) -> Result<(), Full> {
-        self.runs.push(run).map_err(|_| Full)?;
-        if let Some([first, others @ ..]) = self.runs.get_mut(place..) {
-            let mut moved = core::mem::replace(first, run);
-            for other in others {
-                core::mem::swap(other, &mut moved);
-            }
-        }
-        Ok(())
-    }
-
     /// Puts a run before the one at `place`, or makes the one before it longer; gives the place of the run behind.
     #[inline]
     fn insert(&mut self, place: usize, columns: &Range<i32>, surface: u16) -> Result<usize, Full> {
@@ -157,7 +148,7 @@ impl<'r> Scanline<'r> {
             before.end = low_i16(columns.end);
             return Ok(place);
         }
-        self.insert_run(place, VisibleRun::new(columns, surface))?;
+        insert(self.runs, place, VisibleRun::new(columns, surface)).map_err(|_| Full)?;
         Ok(place.wrapping_add(1))
     }
 
@@ -178,7 +169,7 @@ impl<'r> Scanline<'r> {
         old.end = low_i16(left.end);
         let behind = self.insert(place.wrapping_add(1), columns, surface)?;
         if !right.is_empty() {
-            self.insert_run(behind, VisibleRun::new(&right, loser))?;
+            insert(self.runs, behind, VisibleRun::new(&right, loser)).map_err(|_| Full)?;
         }
         Ok(behind)
     }
@@ -218,7 +209,7 @@ pub(super) fn where_ahead((lead, step): (u32, u32), wins_ties: bool, run: Range<
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::num::{count_i32, low_u16, low_u32};
+    use crate::num::{index_u16, low_u32};
     use heapless::Vec;
     use proptest::prelude::*;
 
@@ -243,10 +234,7 @@ mod tests {
                 let steps = i64::from(width.max(2) - 1);
                 let across = low_u32((i64::from(to) - i64::from(from)) / steps);
                 let depth = from.wrapping_sub(across.wrapping_mul(bits(start)));
-                Flat {
-                    columns: start..start + width,
-                    depth: RowDepth { depth, across, order: low_u16(count_i32(order)) },
-                }
+                Flat { columns: start..start + width, depth: RowDepth { depth, across, order: index_u16(order) } }
             };
             flats.into_iter().enumerate().map(flat).collect()
         })

@@ -15,8 +15,7 @@ use crate::{
     geometry::light::Lighting,
     hidden::{
         convex::Convex,
-        painter::{Chain, DepthSort, PieceCorner, PieceCut, SortedPiece},
-        within::Within,
+        painter::{DepthSort, PieceCorner, PieceCut, SortedPiece},
     },
     illumination::Illumination,
     slopes::Slopes,
@@ -109,7 +108,9 @@ where
     let mut fragments = Fragments::new(scene.camera.viewport, &mut hidden, target);
     for (face, chain) in sorted.pieces() {
         let Some(face) = faces.get(usize::from(face)) else { continue };
-        draw_piece(&surfaces, face, &chain, &mut fragments).map_err(DrawError::Target)?;
+        let Some((surface, piece)) = face.placed(&surfaces) else { continue };
+        let drawn = fragments.draw_within(&chain, surface, (&face.triangle(), &piece));
+        drawn.map_err(DrawError::Target)?;
     }
     Ok(())
 }
@@ -122,10 +123,12 @@ fn list_sorted<S: Shading, I: Illumination>(
     faces: &mut VecView<ListedFace>,
     sorted: &mut DepthSort<'_>,
 ) -> Result<(), DrawError<Infallible>> {
+    faces.clear();
     let room = faces.capacity().min(sorted.room());
-    list(surfaces, window, (faces, room), &mut |surface, piece| {
-        // There is room: it was looked at.
-        let _ = sorted.add(&piece.positions, biased(surface.bias, piece));
+    list(surfaces, window, &mut |listed, surface, piece, _| {
+        faces.len() < room
+            && faces.push(listed).is_ok()
+            && sorted.add(&piece.positions, biased(surface.bias, piece)).is_ok()
     })
 }
 
@@ -136,23 +139,4 @@ fn biased<A>(bias: DepthBias, piece: &Piece<A>) -> [u32; 3] {
     }
     let plane = depth_plane(DepthBias::NONE, &Slopes::new(&piece.positions), piece.depths);
     bias.moved(piece.depths, plane.steepest())
-}
-
-/// Draws a piece of a face.
-fn draw_piece<S, I, T>(
-    surfaces: &[Surface<'_, S, I>],
-    face: &ListedFace,
-    chain: &Chain<'_>,
-    fragments: &mut Fragments<'_, Convex, T>,
-) -> Result<(), T::Error>
-where
-    S: Shading,
-    I: Illumination,
-    T: Target<Color = S::Color>,
-{
-    let Some(surface) = face.surface(surfaces) else { return Ok(()) };
-    let Some(piece) = face.piece(surface) else { return Ok(()) };
-    let mut within = Within::new(fragments.hidden, chain);
-    let mut part = Fragments { hidden: &mut within, target: fragments.target, bounds: fragments.bounds };
-    part.draw(surface, &face.triangle(), &piece)
 }

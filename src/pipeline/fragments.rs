@@ -9,7 +9,10 @@ use crate::{
         face::Side,
         viewport::{FARTHEST, NEAREST, Viewport, fine},
     },
-    hidden::Hidden,
+    hidden::{
+        Hidden,
+        within::{Region, Within},
+    },
     illumination::Illumination,
     model::assembly::Face,
     num::{Scalar, low_i32},
@@ -103,6 +106,20 @@ impl<'f, H: Hidden, T: Target> Fragments<'f, H, T> {
         piece: &Piece<S::Attributes>,
     ) -> Result<(), T::Error> {
         spans(&piece.positions, &mut Painter { fragments: self, surface, triangle, piece, begun: None })
+    }
+}
+
+impl<H: Hidden, T: Target> Fragments<'_, H, T> {
+    /// Draws what of a triangle is in a region.
+    pub(super) fn draw_within<S: Shading<Color = T::Color>, I: Illumination, R: Region + ?Sized>(
+        &mut self,
+        region: &R,
+        surface: &Surface<'_, S, I>,
+        (triangle, piece): (&MeshTriangle, &Piece<S::Attributes>),
+    ) -> Result<(), T::Error> {
+        let mut within = Within::new(self.hidden, region);
+        let mut part = Fragments { hidden: &mut within, target: self.target, bounds: self.bounds };
+        part.draw(surface, triangle, piece)
     }
 }
 

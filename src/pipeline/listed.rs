@@ -2,7 +2,7 @@
 
 use core::{convert::Infallible, ops::Range};
 
-use heapless::vec::{Vec, VecView};
+use heapless::vec::Vec;
 
 use super::{
     Bounds, DrawError, Instance, MeshVertex, Scene, each_clipped, each_piece,
@@ -11,12 +11,12 @@ use super::{
     surface::Surface,
 };
 use crate::{
+    edge::reached_by,
     fragment::shade::Shading,
     geometry::{face::Side, light::Lighting},
     illumination::Illumination,
     model::assembly::Face,
     num::{low_index, low_u8},
-    raster::walk::{columns, rows},
     space::Rect,
 };
 
@@ -42,28 +42,27 @@ impl ListedFace {
         self.instance
     }
 
-    /// The instance that it belongs to, among those that are seen.
-    #[inline]
-    pub(super) fn surface<'l, 's, S, I>(&self, surfaces: &'l [Surface<'s, S, I>]) -> Option<&'l Surface<'s, S, I>> {
-        surfaces.get(usize::from(self.instance))
-    }
-
     /// The triangle of its mesh.
     pub(super) fn triangle(&self) -> MeshTriangle {
         MeshTriangle { face: Face { corners: self.corners, number: self.number.into() }, side: self.side }
     }
 
-    /// Where it is on the screen. Clipped pieces are cut anew, and counted.
-    pub(super) fn piece<S: Shading, I: Illumination>(
+    /// Its instance, and where it is on the screen.
+    pub(super) fn placed<'l, 's, S: Shading, I: Illumination>(
         &self,
-        surface: &Surface<'_, S, I>,
-    ) -> Option<Piece<S::Attributes>> {
-        let Face { corners, number } = self.triangle().face;
+        surfaces: &'l [Surface<'s, S, I>],
+    ) -> Option<(&'l Surface<'s, S, I>, Piece<S::Attributes>)> {
+        let surface = surfaces.get(usize::from(self.instance))?;
+        Some((surface, self.piece(surface)?))
+    }
+
+    /// Where it is on the screen. Clipped pieces are cut anew, and counted.
+    fn piece<S: Shading, I: Illumination>(&self, surface: &Surface<'_, S, I>) -> Option<Piece<S::Attributes>> {
         if self.piece == 0 {
-            return surface.vertices_of(corners).map(Piece::of_vertices);
+            return surface.vertices_of(self.corners).map(Piece::of_vertices);
         }
         let mut left = self.piece;
-        each_clipped(surface, Face { corners, number }, &mut |_, piece| {
+        each_clipped(surface, self.triangle().face, &mut |_, piece| {
             left -= 1;
             if left == 0 { Err(*piece) } else { Ok(()) }
         })
@@ -71,49 +70,29 @@ impl ListedFace {
     }
 }
 
-/// Shows each face of the instances of which something is in a window: what is listed of it, `None` if it has too high a
-/// number, and where it is.
-pub(super) fn each_listed<S: Shading, I: Illumination>(
-    surfaces: &[Surface<'_, S, I>],
+/// Shows each face of which something is in a window: what is listed of it, its instance, where it is, and the box of its
+/// pixels there. `take` tells whether there was room.
+pub(super) fn list<'s, S: Shading, I: Illumination>(
+    surfaces: &[Surface<'s, S, I>],
     window: Rect,
-    take: &mut impl FnMut(Option<ListedFace>, &Piece<S::Attributes>),
-) {
-    let mut pieces = Pieces::default();
+    take: &mut impl FnMut(ListedFace, &Surface<'s, S, I>, &Piece<S::Attributes>, Rect) -> bool,
+) -> Result<(), DrawError<Infallible>> {
+    let (mut needed, mut taken, mut pieces) = (0_usize, 0_usize, Pieces::default());
     for (instance, surface) in surfaces.iter().enumerate() {
         let instance = low_u8(low_index(instance));
         let Ok(()) = each_piece::<_, _, Infallible>(surface, &mut |triangle, piece| {
             let number = pieces.count((instance, triangle.face), piece.clipped.is_some());
-            let rows = intersection(rows(&piece.positions), &window.rows());
-            let columns = intersection(columns(&piece.positions), &window.columns());
-            if !rows.is_empty() && !columns.is_empty() {
-                take(ListedFace::new(triangle, number, instance), piece);
+            let pixels = reached_by(&piece.positions).intersection(window);
+            if !pixels.is_empty() {
+                needed = needed.saturating_add(1);
+                let listed = ListedFace::new(triangle, number, instance);
+                let is_taken = listed.is_some_and(|listed| take(listed, surface, piece, pixels));
+                taken = taken.saturating_add(usize::from(is_taken));
             }
             Ok(())
         });
     }
-}
-
-/// Lists the faces of which something is in a window, at most `room` of them, and shows each that is listed: its instance
-/// and where it is.
-pub(super) fn list<'s, S: Shading, I: Illumination>(
-    surfaces: &[Surface<'s, S, I>],
-    window: Rect,
-    (faces, room): (&mut VecView<ListedFace>, usize),
-    take: &mut impl FnMut(&Surface<'s, S, I>, &Piece<S::Attributes>),
-) -> Result<(), DrawError<Infallible>> {
-    faces.clear();
-    let mut needed = 0_usize;
-    each_listed(surfaces, window, &mut |listed, piece| {
-        needed = needed.saturating_add(1);
-        let surface = listed.and_then(|listed| listed.surface(surfaces));
-        if let Some((listed, surface)) = listed.zip(surface).filter(|_| faces.len() < room) {
-            // There is room, unless the caller has said too much of it.
-            if faces.push(listed).is_ok() {
-                take(surface, piece);
-            }
-        }
-    });
-    if faces.len() < needed { Err(DrawError::TooFewFaces { needed }) } else { Ok(()) }
+    if taken < needed { Err(DrawError::TooFewFaces { needed }) } else { Ok(()) }
 }
 
 /// Counts the pieces of faces that are clipped, from 1 on; whole ones have number 0.

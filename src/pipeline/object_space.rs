@@ -16,7 +16,6 @@ use crate::{
     hidden::{
         convex::Convex,
         object_space::{ComparedFace, PartBound, VisibleParts, most_bounds, numbers},
-        within::Within,
     },
     illumination::Illumination,
     slopes::Slopes,
@@ -101,8 +100,13 @@ where
     let mut hidden = Convex;
     let mut fragments = Fragments::new(scene.camera.viewport, &mut hidden, target);
     for (number, face) in numbers(compared).zip(faces.iter()) {
-        let Some(parts) = VisibleParts::new(compared, number, bounds, window) else { continue };
-        draw_parts(&surfaces, face, parts, &mut fragments).map_err(DrawError::Target)?;
+        let Some(mut parts) = VisibleParts::new(compared, number, bounds, window) else { continue };
+        let Some((surface, piece)) = face.placed(&surfaces) else { continue };
+        // There is room: that was found out.
+        while parts.advance() == Ok(true) {
+            let drawn = fragments.draw_within(parts.bounds(), surface, (&face.triangle(), &piece));
+            drawn.map_err(DrawError::Target)?;
+        }
     }
     Ok(())
 }
@@ -115,12 +119,14 @@ fn list_compared<S: Shading, I: Illumination>(
     faces: &mut VecView<ListedFace>,
     compared: &mut VecView<ComparedFace>,
 ) -> Result<(), DrawError<Infallible>> {
+    faces.clear();
     compared.clear();
-    let room = faces.capacity().min(compared.capacity()).min(u16::MAX.into());
-    list(surfaces, window, (faces, room), &mut |surface, piece| {
+    list(surfaces, window, &mut |listed, surface, piece, _| {
+        if faces.len() >= usize::from(u16::MAX) || compared.is_full() {
+            return false;
+        }
         let plane = depth_plane(surface.bias, &Slopes::new(&piece.positions), piece.depths);
-        // There is room: it was looked at.
-        let _ = compared.push(ComparedFace::new(piece.positions, &plane));
+        faces.push(listed).is_ok() && compared.push(ComparedFace::new(piece.positions, &plane)).is_ok()
     })
 }
 
@@ -138,29 +144,6 @@ fn check_room(
     for number in numbers(compared) {
         let Some(mut parts) = VisibleParts::new(compared, number, bounds, window) else { continue };
         while parts.advance().map_err(|_| DrawError::TooFewBounds { needed })? {}
-    }
-    Ok(())
-}
-
-/// Draws all that is seen of a face.
-fn draw_parts<S, I, T>(
-    surfaces: &[Surface<'_, S, I>],
-    face: &ListedFace,
-    mut parts: VisibleParts<'_>,
-    fragments: &mut Fragments<'_, Convex, T>,
-) -> Result<(), T::Error>
-where
-    S: Shading,
-    I: Illumination,
-    T: Target<Color = S::Color>,
-{
-    let Some(surface) = face.surface(surfaces) else { return Ok(()) };
-    let Some(piece) = face.piece(surface) else { return Ok(()) };
-    // There is room: that was found out.
-    while parts.advance() == Ok(true) {
-        let mut within = Within::new(fragments.hidden, parts.bounds());
-        let mut part = Fragments { hidden: &mut within, target: fragments.target, bounds: fragments.bounds };
-        part.draw(surface, &face.triangle(), &piece)?;
     }
     Ok(())
 }

@@ -20,7 +20,7 @@ pub use self::{
 };
 use super::{
     Bounds, DrawError, Instance, MeshVertex, Scene,
-    listed::{each_listed, intersection, prepare},
+    listed::{intersection, list, prepare},
     surface::Surface,
 };
 use crate::{
@@ -28,8 +28,8 @@ use crate::{
     geometry::light::Lighting,
     hidden::scanline::{Full, RowDepth, Scanline, VisibleRun},
     illumination::Illumination,
-    num::{count_i32, low_index, low_u16},
-    raster::walk::rows,
+    list::swap,
+    num::{index_u16, low_index, low_u16},
     space::Rect,
     target::Target,
 };
@@ -169,18 +169,15 @@ impl<'s, S: Shading, I: Illumination, const N: usize> Scanlines<'s, S, I, N> {
     fn list(&mut self) -> Result<(), DrawError<Infallible>> {
         let Self { surfaces, faces, buckets, window, .. } = self;
         faces.clear();
-        let mut needed = 0_usize;
-        each_listed(surfaces, *window, &mut |listed, piece| {
-            needed = needed.saturating_add(1);
-            let (place, rows) = (low_u16(count_i32(faces.len())), intersection(rows(&piece.positions), &window.rows()));
-            if let Some(listed) = listed.filter(|_| place != NONE && !faces.is_full()) {
-                let mut face = WaitingFace::new(listed, rows.start);
-                face.next = buckets.insert(place, &rows);
-                // There is room.
-                let _ = faces.push(face);
+        list(surfaces, *window, &mut |listed, _, _, pixels| {
+            let place = index_u16(faces.len());
+            if place == NONE || faces.is_full() {
+                return false;
             }
-        });
-        if needed > faces.len() { Err(DrawError::TooFewFaces { needed }) } else { Ok(()) }
+            let mut face = WaitingFace::new(listed, pixels.top);
+            face.next = buckets.insert(place, &pixels.rows());
+            faces.push(face).is_ok()
+        })
     }
 
     /// Takes up the faces that begin in this row.
@@ -189,7 +186,7 @@ impl<'s, S: Shading, I: Illumination, const N: usize> Scanlines<'s, S, I, N> {
         let mut at = self.buckets.first(self.row);
         while let Some(face) = self.faces.get(usize::from(at)) {
             if i32::from(face.first_row) == self.row {
-                let slot = low_u16(count_i32(self.active.len()));
+                let slot = index_u16(self.active.len());
                 if let Some(active) = face.begin(&self.surfaces, (self.row, at), self.window) {
                     // There is room for both: they were counted.
                     let _ = (self.active.push(active), self.order.push(slot));
@@ -225,10 +222,7 @@ impl<'s, S: Shading, I: Illumination, const N: usize> Scanlines<'s, S, I, N> {
             if self.order.get(before).is_none_or(|&slot| self.left(slot) <= left) {
                 break;
             }
-            // `swap` would keep a panic.
-            if let Some([other, this, ..]) = self.order.get_mut(before..) {
-                core::mem::swap(other, this);
-            }
+            swap(self.order, before, place);
             place = before;
         }
     }

@@ -16,7 +16,6 @@ use crate::{
     hidden::{
         Hidden,
         bsp::{self, MOST_CUTS, Tree},
-        within::Within,
     },
     illumination::Illumination,
     model::assembly::Face,
@@ -115,13 +114,10 @@ where
     }
     // There is room: a tree has been checked for that.
     let cuts: Vec<Cut, MOST_CUTS> = cuts(tree, piece, surface).take(MOST_CUTS).collect();
-    let mut within = Within::new(fragments.hidden, &cuts[..]);
-    let mut fragments = Fragments { hidden: &mut within, target: fragments.target, bounds: fragments.bounds };
+    let mut draw = |triangle: &_, piece: &_| fragments.draw_within(&cuts[..], surface, (triangle, piece));
     match side {
-        Some(side) if are_projected => {
-            fragments.draw(surface, &MeshTriangle { face, side }, &Piece::of_vertices(vertices))
-        }
-        _ => each_clipped(surface, face, &mut |triangle, piece| fragments.draw(surface, triangle, piece)),
+        Some(side) if are_projected => draw(&MeshTriangle { face, side }, &Piece::of_vertices(vertices)),
+        _ => each_clipped(surface, face, &mut draw),
     }
 }
 

@@ -11,6 +11,8 @@ use core::ops::Range;
 
 use heapless::vec::VecView;
 
+use crate::list::swap;
+
 /// An edge that reaches into some rows.
 pub(super) trait RowEdge {
     /// The first of its rows, or the row it was made for if that is lower.
@@ -63,9 +65,7 @@ impl<'l, E: RowEdge> ActiveList<'l, E> {
         }
         for place in self.active..self.edges.len() {
             if self.edges.get(place).is_some_and(|edge| edge.first_row() <= row) {
-                if let Ok([begins, waits]) = self.edges.get_disjoint_mut([place, self.active]) {
-                    core::mem::swap(begins, waits);
-                }
+                swap(self.edges, place, self.active);
                 self.active = self.active.wrapping_add(1);
             }
         }

@@ -43,6 +43,7 @@ pub mod bresenham;
 pub mod circle;
 mod conic;
 pub mod dda;
+mod edge_pair;
 pub mod ellipse;
 mod filled;
 pub mod flood;

@@ -17,11 +17,12 @@
 
 use core::ops::Range;
 
+use super::edge_pair::EdgePair;
 use crate::{
-    edge::{Edge, first_row},
+    edge::reached_by,
     error::OutOfRange,
     slopes::Slopes,
-    space::{Point2, Rect, twice_area},
+    space::{Point2, Rect},
     span::Sink,
     vary::{LIMIT, Ramp, Vertex},
 };
@@ -79,20 +80,11 @@ fn shape<E>(
     bounds: Rect,
     take: &mut impl FnMut(i32, Range<i32>) -> Result<(), E>,
 ) -> Result<(), E> {
-    let reach = |of: fn(&Point2) -> i32| {
-        let [a, b, c] = corners.each_ref().map(of);
-        first_row(a.min(b).min(c))..first_row(a.max(b).max(c))
-    };
-    // A column is to an edge what a row is to a corner.
-    let (rows, columns) = (reach(|p| p.y.to_bits()), reach(|p| p.x.to_bits()));
-    if rows.is_empty() || columns.is_empty() {
-        return Ok(());
-    }
-    let (height, width) = (rows.end - rows.start, columns.end - columns.start);
-    let area = Rect::new(columns.start, rows.start, columns.end, rows.end).intersection(bounds);
+    let all = reached_by(corners);
+    let area = all.intersection(bounds);
     if area.is_empty() {
         Ok(())
-    } else if height <= LONGEST && width <= LONGEST && height * width <= MOST_TESTS {
+    } else if is_small(all) {
         tested(corners, area, take)
     } else {
         walked(corners, area, take)
@@ -100,8 +92,15 @@ fn shape<E>(
 }
 
 /// Pixels in a row or column of a box, and in the whole box, that are tested one by one.
-const LONGEST: i32 = 16;
-const MOST_TESTS: i32 = 32;
+pub(super) const LONGEST: u32 = 16;
+const MOST_TESTS: u32 = 32;
+
+/// Whether the pixels of a box are few enough.
+#[inline]
+pub(super) fn is_small(area: Rect) -> bool {
+    let (width, height) = (area.width(), area.height());
+    height <= LONGEST && width <= LONGEST && height * width <= MOST_TESTS
+}
 
 /// The edge function of a side, in square sixteenths: not negative on the inner side.
 #[derive(Clone, Copy)]
@@ -169,40 +168,22 @@ fn twice_area_of_small(a: Point2, b: Point2, c: Point2) -> i32 {
 /// Walks down the edges.
 #[inline(never)]
 fn walked<E>(
-    &[a, b, c]: &[Point2; 3],
+    corners: &[Point2; 3],
     area: Rect,
     take: &mut impl FnMut(i32, Range<i32>) -> Result<(), E>,
 ) -> Result<(), E> {
-    let ([mut top, mut middle, mut bottom], area_sign) = ([a, b, c], twice_area(a, b, c).signum());
-    if area_sign == 0 {
-        return Ok(());
+    let Some(mut edges) = EdgePair::new(corners, area.top) else { return Ok(()) };
+    let mut row = area.top;
+    loop {
+        let Range { start, end } = edges.columns();
+        let columns = start.max(area.left)..end.min(area.right);
+        if !columns.is_empty() {
+            take(row, columns)?;
+        }
+        row += 1;
+        if row >= area.bottom {
+            return Ok(());
+        }
+        edges.advance(row);
     }
-    let mut middle_is_right = area_sign > 0;
-    let mut order = |upper: &mut Point2, lower: &mut Point2| {
-        if lower.y < upper.y {
-            core::mem::swap(upper, lower);
-            middle_is_right = !middle_is_right;
-        }
-    };
-    order(&mut top, &mut middle);
-    order(&mut middle, &mut bottom);
-    order(&mut top, &mut middle);
-    let turn = first_row(middle.y.to_bits()).max(area.top).min(area.bottom);
-    let mut long = Edge::new(top, bottom, area.top);
-    for (rows, upper, lower) in [(area.top..turn, top, middle), (turn..area.bottom, middle, bottom)] {
-        if rows.is_empty() {
-            continue;
-        }
-        let mut short = Edge::new(upper, lower, rows.start);
-        for row in rows {
-            let (left, right) = if middle_is_right { (&long, &short) } else { (&short, &long) };
-            let columns = left.column().max(area.left)..right.column().min(area.right);
-            if !columns.is_empty() {
-                take(row, columns)?;
-            }
-            long.advance();
-            short.advance();
-        }
-    }
-    Ok(())
 }

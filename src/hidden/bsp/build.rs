@@ -7,10 +7,7 @@ use super::{
     MOST_CUTS, NONE, Node, Piece, Plane, Split, Tree, Triangles,
     polygon::{Polygon, Side},
 };
-use crate::{
-    error::describe,
-    num::{low_index, low_u16},
-};
+use crate::{error::describe, num::index_u16};
 
 /// Which planes a tree takes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -158,7 +155,7 @@ impl<'a> Arena<'a> {
         let (mut all, mut left) = (Chain::EMPTY, triangles.count());
         while left > 0 {
             left -= 1;
-            let triangle = index(left);
+            let triangle = index_u16(left);
             if triangles.plane(triangle).is_some() {
                 match self.add_piece(Piece { triangle, ..Piece::EMPTY }) {
                     Ok(piece) => self.append(&mut all, piece),
@@ -182,7 +179,7 @@ impl<'a> Arena<'a> {
                 Side::Front => self.append(&mut front, piece),
                 Side::Back => self.append(&mut back, piece),
                 Side::Within => self.append(&mut within, piece),
-                Side::Both => match self.split(piece, index(at)) {
+                Side::Both => match self.split(piece, index_u16(at)) {
                     Ok(behind) => {
                         self.append(&mut front, piece);
                         self.append(&mut back, behind);
@@ -192,7 +189,7 @@ impl<'a> Arena<'a> {
             }
         }
         let mut node = Node { face, first: within.first, ..self.node(at) };
-        match (self.add_node(index(at), front), self.add_node(index(at), back)) {
+        match (self.add_node(index_u16(at), front), self.add_node(index_u16(at), back)) {
             (Ok(front), Ok(back)) => (node.front, node.back) = (front, back),
             (Err(error), _) | (_, Err(error)) => return Err(error),
         }
@@ -303,7 +300,7 @@ impl<'a> Arena<'a> {
         }
         self.nodes[at] = Node { parent, first: pieces.first, ..Node::EMPTY };
         self.node_count += 1;
-        Ok(index(at))
+        Ok(index_u16(at))
     }
 
     const fn add_piece(&mut self, piece: Piece) -> Result<u16, BuildError> {
@@ -313,7 +310,7 @@ impl<'a> Arena<'a> {
         }
         self.pieces[at] = piece;
         self.piece_count += 1;
-        Ok(index(at))
+        Ok(index_u16(at))
     }
 
     const fn add_cut(&mut self, cut: Split) -> Result<u16, BuildError> {
@@ -323,7 +320,7 @@ impl<'a> Arena<'a> {
         }
         self.cuts[at] = cut;
         self.cut_count += 1;
-        Ok(index(at))
+        Ok(index_u16(at))
     }
 
     const fn append(&mut self, chain: &mut Chain, piece: u16) {
@@ -376,9 +373,4 @@ pub(super) const fn beginning<T>(list: &[T], count: usize) -> &[T] {
         Some((used, _)) => used,
         None => list,
     }
-}
-
-/// An index that has been compared with the length of a list.
-const fn index(at: usize) -> u16 {
-    low_u16(low_index(at).cast_signed())
 }

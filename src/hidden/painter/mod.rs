@@ -23,8 +23,8 @@
 //!
 //! - **Takes** triangles on the screen with the depths of their corners.
 //! - **Gives** pieces of them in an order in which each hides what it must.
-//! - **Memory** 20 bytes a piece, 12 a corner (a split adds two more than the piece had and two, none is freed), and 64 a
-//!   split, lent by the caller.
+//! - **Memory** 20 bytes a piece, 12 a corner (a split adds those of both parts, four more than the piece had, and frees none),
+//!   and 64 a split, lent by the caller.
 //! - **Cost** every piece is compared with all that wait: with `k` pieces `k²/2` comparisons of depths, and the five tests for
 //!   those whose depths overlap. The tests begin anew where places change and after a split.
 //!
@@ -49,7 +49,8 @@ use self::{
 };
 use super::{scanline::Full, within::Region};
 use crate::{
-    num::{Subpixel, low_index, low_u16},
+    list::{insert, last_to_front, remove},
+    num::{Subpixel, index_u16},
     sort::heap_sort,
     space::{GUARD_BAND, Point2, Rect},
 };
@@ -98,7 +99,7 @@ impl<'m> DepthSort<'m> {
 
     /// Adds the next face, which has an area; depths have 31 bits.
     pub(crate) fn add(&mut self, places: &[Point2; 3], depths: [u32; 3]) -> Result<(), Full> {
-        let face = low_u16(low_index(self.pieces.len()).cast_signed());
+        let face = index_u16(self.pieces.len());
         let first = self.corners.len();
         for (place, depth) in places.iter().zip(depths) {
             self.corners.push(PieceCorner::new(*place, depth, self.finer)).map_err(|_| Full)?;
@@ -173,7 +174,7 @@ impl<'m> DepthSort<'m> {
     /// Moves a piece to an earlier place, and remembers that.
     fn put_forward(&mut self, place: usize, from: usize, mark: u32) {
         let moved = self.pieces.get_mut(place..=from).unwrap_or_default();
-        moved.rotate_right(1);
+        last_to_front(moved);
         if let Some(piece) = moved.first_mut() {
             piece.mark = mark;
         }
@@ -189,10 +190,10 @@ impl<'m> DepthSort<'m> {
             return Err(Full);
         }
         let cut = by.cut(&piece.triangle(self.corners), self.finer);
-        self.pieces.remove(at);
+        remove(self.pieces, at);
         for (cut, is_front) in [(cut, true), (cut.other(), false)] {
             let corners = self.cut_corners(&piece, by, is_front)?;
-            let last = low_u16(low_index(self.cuts.len()).cast_signed());
+            let last = index_u16(self.cuts.len());
             self.cuts.push(PieceCut { cut, before: piece.last_cut() }).map_err(|_| Full)?;
             if last == NONE {
                 return Err(Full);
@@ -238,7 +239,7 @@ impl<'m> DepthSort<'m> {
     fn insert(&mut self, from: usize, piece: SortedPiece) -> Result<(), Full> {
         let waiting = self.pieces.get(from..).unwrap_or_default();
         let before = waiting.iter().take_while(|other| other.is_farther(&piece)).count();
-        self.pieces.insert(from.saturating_add(before), piece).map_err(|_| Full)
+        insert(self.pieces, from.saturating_add(before), piece).map_err(|_| Full)
     }
 }
 

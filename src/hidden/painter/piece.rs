@@ -7,7 +7,7 @@ use super::{
     divide::{Divider, Sides},
 };
 use crate::{
-    num::{divide_round, low_i32, low_index, low_u16},
+    num::{divide_round, index_u16, low_i32},
     space::Point2,
 };
 
@@ -63,11 +63,10 @@ pub struct SortedPiece {
 
 impl SortedPiece {
     pub(super) fn new(face: u16, range: Range<usize>, last_cut: u16, corners: &[PieceCorner]) -> Self {
-        let short = |number: usize| low_u16(low_index(number).cast_signed());
         let own = corners.get(range.clone()).unwrap_or_default();
         let far = own.iter().map(|corner| corner.z).min().unwrap_or(0);
         let near = own.iter().map(|corner| corner.z).max().unwrap_or(0);
-        let (first_corner, corners) = (short(range.start), short(range.len()));
+        let (first_corner, corners) = (index_u16(range.start), index_u16(range.len()));
         Self { face, first_corner, corners, last_cut, mark: 0, far, near }
     }
 

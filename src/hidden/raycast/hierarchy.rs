@@ -28,7 +28,7 @@ use super::{
     ray::Ray,
     search::{Objects, Search},
 };
-use crate::{error::describe, num::low_u16};
+use crate::{error::describe, num::index_u16};
 
 /// As many shapes a hierarchy holds at most.
 pub const MOST_SHAPES: usize = 1 << 15;
@@ -183,7 +183,7 @@ fn split(part: &mut [Node]) {
         }
     }
     if let Some(node) = part.first_mut() {
-        *node = Node { bounds: whole, length: low_length(all), shape: u16::MAX };
+        *node = Node { bounds: whole, length: index_u16(all), shape: u16::MAX };
     }
     set_length(part.get_mut(1), 2 * half - 1);
     set_length(part.get_mut(2 * half), all - 2 * half);
@@ -191,13 +191,9 @@ fn split(part: &mut [Node]) {
 
 fn set_length(node: Option<&mut Node>, length: usize) {
     if let Some(node) = node {
-        node.length = low_length(length);
+        // At most two nodes for each of `MOST_SHAPES`.
+        node.length = index_u16(length);
     }
-}
-
-/// At most two nodes for each of [`MOST_SHAPES`].
-fn low_length(length: usize) -> u16 {
-    low_u16(crate::num::count_i32(length))
 }
 
 #[cfg(test)]

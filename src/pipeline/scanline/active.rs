@@ -4,6 +4,7 @@ use core::ops::Range;
 
 use super::buckets::NONE;
 use crate::{
+    edge::reached_by,
     fragment::shade::Shading,
     hidden::scanline::RowDepth,
     illumination::Illumination,
@@ -13,7 +14,7 @@ use crate::{
         listed::{ListedFace, intersection},
         surface::Surface,
     },
-    raster::walk::{Walk, rows},
+    raster::walk::Walk,
     space::Rect,
 };
 
@@ -54,13 +55,12 @@ impl WaitingFace {
         window: Rect,
     ) -> Option<ActiveFace<S::Face>> {
         let listed = self.listed;
-        let surface = listed.surface(surfaces)?;
-        let piece = listed.piece(surface)?;
+        let (surface, piece) = listed.placed(surfaces)?;
         let walk = Walk::new(&piece.positions, row)?;
         let Begun { face, depth } = begin(surface, &listed.triangle(), &piece, true);
         let [at_origin] = depth.at(row, 0).fine();
         let ([across], [down]) = (depth.across, depth.down);
-        let end_row = low_i16(rows(&piece.positions).end.min(window.bottom));
+        let end_row = low_i16(reached_by(&piece.positions).bottom.min(window.bottom));
         let depth = RowDepth { depth: at_origin, across, order };
         let columns = short(intersection(walk.columns(), &window.columns()));
         Some(ActiveFace { walk, columns, depth, down, end_row, instance: listed.instance(), face })

@@ -2,7 +2,7 @@
 
 use core::ops::Range;
 
-use crate::num::{low_index, low_u16};
+use crate::num::index_u16;
 
 /// An entry of the queue: some pixels side by side in one row. Six bytes.
 ///
@@ -21,8 +21,7 @@ impl Run {
     /// Row and columns are at most 65,535.
     #[inline]
     pub(super) fn new(row: usize, columns: &Range<usize>) -> Self {
-        let [row, start, end] =
-            [row, columns.start, columns.end].map(|number| low_u16(low_index(number).cast_signed()));
+        let [row, start, end] = [row, columns.start, columns.end].map(index_u16);
         Self { row, start, end }
     }
 

@@ -28,11 +28,13 @@ use aquatint::{
     },
     model::{assembly::Assembly, mesh::Mesh},
     pipeline::{
-        Bounds, Camera, DepthBias, Instance, Material, MeshVertex, Scanlines, Scene, SceneMemory, Unpainted, Workspace,
-        draw_mesh, draw_scene, draw_tree, draw_wireframe, mesh_shapes,
+        Bounds, Camera, DepthBias, DepthSortMemory, Instance, Material, MeshVertex, ObjectSpaceMemory, Scanlines, Scene,
+        SceneMemory, Unpainted, Workspace, draw_compared, draw_mesh, draw_scene, draw_sorted, draw_tree, draw_wireframe,
+        mesh_shapes,
     },
 };
 use embedded_graphics::pixelcolor::BinaryColor;
+use heapless::Vec;
 use nopanic::{any, keep, lent, part};
 
 #[cortex_m_rt::entry]
@@ -47,6 +49,7 @@ fn main() -> ! {
     lines();
     rows();
     trees();
+    ways();
     shapes();
     loop {}
 }
@@ -230,6 +233,36 @@ fn trees() {
     let instance = Instance::new(mesh, any()).with_material(material(Gouraud));
     let mut workspace = Workspace { vertices: lent(&mut vertices), hidden: &mut Convex };
     keep(draw_tree(&tree, &instance, &scene, &mut workspace, &mut frame).is_ok());
+}
+
+/// In object space, and sorted by depth, in lists of any length.
+fn ways() {
+    let (one, other, mut bytes) = (Arrays::any(), Arrays::any(), [0; 64]);
+    let (Some(one), Some(other), Some(scene)) = (one.mesh(), other.mesh(), scene()) else { return };
+    let Ok(mut frame) = Frame::<Light, Words, _>::new(lent(&mut bytes), any(), any()) else { return };
+    let instances = [one, other].map(|mesh| Instance::new(mesh, any()).with_material(material(Gouraud)));
+    let (mut vertices, mut faces) = ([MeshVertex::EMPTY; 16], list::<_, 8>());
+    let (mut compared, mut bounds) = (list::<_, 8>(), list::<_, 8>());
+    let memory = ObjectSpaceMemory {
+        vertices: lent(&mut vertices),
+        faces: black_box(&mut faces),
+        compared: black_box(&mut compared),
+        bounds: black_box(&mut bounds),
+    };
+    keep(draw_compared(&instances, &scene, memory, &mut frame).is_ok());
+    let (mut pieces, mut corners, mut cuts) = (list::<_, 8>(), list::<_, 8>(), list::<_, 8>());
+    let memory = DepthSortMemory {
+        vertices: lent(&mut vertices),
+        faces: black_box(&mut faces),
+        pieces: black_box(&mut pieces),
+        corners: black_box(&mut corners),
+        cuts: black_box(&mut cuts),
+    };
+    keep(draw_sorted(&instances, &scene, memory, &mut frame).is_ok());
+}
+
+const fn list<T, const N: usize>() -> Vec<T, N> {
+    Vec::new()
 }
 
 fn shapes() {

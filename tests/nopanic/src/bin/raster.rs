@@ -9,7 +9,7 @@ use aquatint::{
     DdaLine, Ellipse, FillStyle, Flatten, Flood, Frame, InPlace, Join, Line, Outline, Oval, Oversampled, Path, Pen,
     Placed, Point2, Polygon, Polyline, RampLine, Region, RoundedRectangle, Rows, Rule, Sector, Segment, Sink, SpanFn,
     Stipple, Stroke, StrokeStyle, Stroked, SvgPath, Triangle, curve,
-    cut::{Cut, CutSpans},
+    cut::Cut,
     pixel_bounds,
     raster::{
         area::{self, AreaEdge, Scratch},
@@ -259,7 +259,6 @@ fn triangles() {
     }
     let cuts = [Cut::of_edge(any(), any()), Cut::of_values(&any(), any())];
     keep((cuts[0].other(), cuts[1].keeps(any(), any()), cuts[1].keep(any(), any()..any())));
-    keep(CutSpans::new(&mut sink(), part(&cuts)).span(any(), any()..any(), ()));
 }
 
 fn floods() {
