@@ -62,7 +62,7 @@ pub use pixel_rays::{NoRays, PixelRays};
 pub use raycast::{Finish, MeshShapesError, Raycast, draw_rays, mesh_shapes};
 pub use scanline::{ActiveFace, RowBucket, ScanlineMemory, Scanlines, WaitingFace};
 use surface::Surface;
-pub use tree::draw_tree;
+pub use tree::{TreeInstance, draw_tree};
 pub use unpainted::Unpainted;
 use vertex::ClipVertex;
 pub use vertex::MeshVertex;

@@ -21,8 +21,8 @@ use aquatint::{
     model::mesh::Mesh,
     pipeline::{
         DepthSortMemory, Finish, Instance, ListedFace, Material, MeshVertex, ObjectSpaceMemory, PixelRays, Raycast,
-        Scene, SceneMemory, Workspace, draw_compared, draw_mesh, draw_rays, draw_scene, draw_sorted, draw_tree,
-        mesh_shapes,
+        Scene, SceneMemory, TreeInstance, Workspace, draw_compared, draw_mesh, draw_rays, draw_scene, draw_sorted,
+        draw_tree, mesh_shapes,
     },
 };
 use embedded_graphics::{
@@ -164,9 +164,10 @@ impl Grown {
     #[expect(clippy::unnecessary_wraps, reason = "an item")]
     fn by_tree(&mut self) -> Result<(), Infallible> {
         let (scene, built) = (self.scene(), self.built.as_ref().expect("cleared before"));
+        let faces = TreeInstance { instance: self.instance, tree: built.tree };
         let mut workspace = Workspace { vertices: &mut self.vertices, hidden: &mut Convex };
         let mut light = Dithered::new(&mut self.frame, Levels::ONE_BIT);
-        draw_tree(&built.tree, &self.instance, &scene, &mut workspace, &mut light).expect("in range");
+        draw_tree(&faces, &scene, &mut workspace, &mut light).expect("in range");
         Ok(())
     }
 

@@ -5,6 +5,9 @@ use aquatint::{
     model::mesh::Mesh,
 };
 
+/// What makes a cut.
+const SPLIT: &str = "const fn c(side: u16, before: u16) -> Split { Split { side, before } }\n";
+
 /// An expression of type `(Mesh<'static>, Tree<'static>)`, checked by the compiler that includes it.
 pub fn source(mesh: &Mesh, mesh_source: &str) -> Result<String, String> {
     let triangles: Vec<_> = mesh.triangles().collect();
@@ -18,14 +21,14 @@ pub fn source(mesh: &Mesh, mesh_source: &str) -> Result<String, String> {
     let pieces = tree.pieces().iter().map(|&Piece { triangle, cut, next }| [triangle, cut, next]);
     let cuts = tree.cuts().iter().map(|&Split { side, before }| [side, before]);
     let (nodes, pieces, cuts) = (calls('n', nodes), calls('p', pieces), calls('c', cuts));
+    // Without cuts nothing would call it.
+    let split = if cuts.is_empty() { "" } else { SPLIT };
     Ok(format!(
         "{{
 use aquatint::{{hidden::bsp::{{Node, Piece, Split, Tree, Triangles}}, model::{{assembly::Assembly, mesh::Mesh}}}};
 const fn n(face: u16, parent: u16, front: u16, back: u16, first: u16) -> Node {{ Node {{ face, parent, front, back, first }} }}
 const fn p(triangle: u16, cut: u16, next: u16) -> Piece {{ Piece {{ triangle, cut, next }} }}
-#[allow(dead_code)]
-const fn c(side: u16, before: u16) -> Split {{ Split {{ side, before }} }}
-const MESH: Mesh<'static> = {mesh_source};
+{split}const MESH: Mesh<'static> = {mesh_source};
 const LIST: &[[u16; 3]] = match MESH.assembly() {{ Assembly::Triangles(list) => list, _ => panic!() }};
 const NODES: &[Node] = &[{nodes}];
 const PIECES: &[Piece] = &[{pieces}];

@@ -22,8 +22,8 @@ use aquatint::{
     },
     pipeline::{
         Camera, DepthSortMemory, Finish, Instance, ListedFace, Material, MeshVertex, ObjectSpaceMemory, PixelRays,
-        Raycast, Scene, SceneMemory, Workspace, draw_compared, draw_mesh, draw_rays, draw_scene, draw_sorted,
-        draw_tree, mesh_shapes,
+        Raycast, Scene, SceneMemory, TreeInstance, Workspace, draw_compared, draw_mesh, draw_rays, draw_scene,
+        draw_sorted, draw_tree, mesh_shapes,
     },
 };
 use heapless::Vec as Room;
@@ -199,7 +199,10 @@ impl Ways {
                 draw_mesh(instance, scene, &mut Workspace { vertices, hidden: &mut hidden }, target)
             }
             Way::Scanline => draw_scene(&instances, scene, rows, target),
-            Way::BspTree => draw_tree(tree, instance, scene, &mut Workspace { vertices, hidden: &mut Convex }, target),
+            Way::BspTree => {
+                let faces = TreeInstance { instance: *instance, tree: *tree };
+                draw_tree(&faces, scene, &mut Workspace { vertices, hidden: &mut Convex }, target)
+            }
             Way::ObjectSpace => {
                 let (faces, compared, bounds) = (&mut **faces, &mut **compared, &mut **bounds);
                 draw_compared(&instances, scene, ObjectSpaceMemory { vertices, faces, compared, bounds }, target)

@@ -11,7 +11,7 @@ use aquatint::{
         solid_bsp::SolidTree,
     },
     model::mesh::Mesh,
-    pipeline::{Camera, Instance, Material, MeshVertex, Scene, Workspace, draw_mesh, draw_tree},
+    pipeline::{Camera, Instance, Material, MeshVertex, Scene, TreeInstance, Workspace, draw_mesh, draw_tree},
 };
 use arbitrary::Arbitrary;
 use embedded_graphics::pixelcolor::BinaryColor;
@@ -97,7 +97,7 @@ fn draw(input: &Input, tree: &Tree<'_>, positions: &[[i16; 3]], triangles: &[[u1
         let mut vertices = [MeshVertex::EMPTY; VERTICES];
         let mut workspace = Workspace { vertices: &mut vertices, hidden: &mut Convex };
         let is_drawn = if by_tree {
-            draw_tree(tree, &instance, &scene, &mut workspace, &mut target).is_ok()
+            draw_tree(&TreeInstance { instance, tree: *tree }, &scene, &mut workspace, &mut target).is_ok()
         } else {
             draw_mesh(&instance, &scene, &mut workspace, &mut target).is_ok()
         };

@@ -31,6 +31,9 @@ pub struct ListedFace {
     piece: u8,
 }
 
+/// The instance of a face, and where the face is.
+type OnScreen<'l, 's, S, I> = (&'l Surface<'s, S, I>, Piece<<S as Shading>::Attributes>);
+
 impl ListedFace {
     /// `None` for faces with a number of more than 16 bits.
     fn new(triangle: &MeshTriangle, piece: u8, instance: u8) -> Option<Self> {
@@ -51,7 +54,7 @@ impl ListedFace {
     pub(super) fn placed<'l, 's, S: Shading, I: Illumination>(
         &self,
         surfaces: &'l [Surface<'s, S, I>],
-    ) -> Option<(&'l Surface<'s, S, I>, Piece<S::Attributes>)> {
+    ) -> Option<OnScreen<'l, 's, S, I>> {
         let surface = surfaces.get(usize::from(self.instance))?;
         Some((surface, self.piece(surface)?))
     }

@@ -11,7 +11,7 @@ use super::{
 };
 use crate::{
     cut::Cut,
-    fragment::shade::Shading,
+    fragment::shade::{Gouraud, Shading},
     geometry::{face::signed_area, light::Lighting},
     hidden::{
         Hidden,
@@ -23,9 +23,18 @@ use crate::{
     target::Target,
 };
 
+/// An instance, and the tree of the triangles of its mesh.
+#[derive(Clone, Copy, Debug)]
+pub struct TreeInstance<'a, S = Gouraud, B = ()> {
+    /// What is drawn.
+    pub instance: Instance<'a, S, B>,
+    /// In what order.
+    pub tree: Tree<'a>,
+}
+
 /// Draws a mesh as [`draw_mesh`](super::draw_mesh) does, its faces in the painter's order that a tree has for them.
 ///
-/// The tree is one of the triangles of the instance's mesh. With [`Convex`](crate::hidden::convex::Convex) there is no depth at all;
+/// With [`Convex`](crate::hidden::convex::Convex) there is no depth at all;
 /// with a depth buffer, the tree's mesh and others hide each other. What is seen is what a depth buffer shows; where two faces
 /// are at almost the same depth, either may be the one that is.
 ///
@@ -44,7 +53,7 @@ use crate::{
 /// use aquatint::{
 ///     hidden::{bsp::{Tree, Triangles}, convex::Convex},
 ///     model::solids::CUBE,
-///     pipeline::{Instance, Workspace, draw_tree},
+///     pipeline::{Instance, TreeInstance, Workspace, draw_tree},
 /// };
 /// # use embedded_graphics::pixelcolor::BinaryColor;
 /// # let one = Scalar::ONE;
@@ -64,12 +73,12 @@ use crate::{
 ///
 /// let tree: Tree = arrays.tree();
 /// let mut workspace = Workspace { vertices: &mut vertices, hidden: &mut Convex };
-/// draw_tree(&tree, &Instance::new(CUBE, Matrix::IDENTITY), &scene, &mut workspace, &mut target)?;
+/// let cube = TreeInstance { instance: Instance::new(CUBE, Matrix::IDENTITY), tree };
+/// draw_tree(&cube, &scene, &mut workspace, &mut target)?;
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn draw_tree<S, B, L, H, T>(
-    tree: &Tree<'_>,
-    instance: &Instance<'_, S, B>,
+    TreeInstance { instance, tree }: &TreeInstance<'_, S, B>,
     scene: &Scene<L>,
     workspace: &mut Workspace<'_, H>,
     target: &mut T,

@@ -17,7 +17,7 @@ use aquatint::{
         convex::Convex,
         depth::DepthBuffer,
     },
-    pipeline::{Camera, Instance, Material, MeshVertex, Scene, Workspace, draw_mesh, draw_tree},
+    pipeline::{Camera, Instance, Material, MeshVertex, Scene, TreeInstance, Workspace, draw_mesh, draw_tree},
 };
 
 use super::{
@@ -128,7 +128,8 @@ impl Pose {
     ) -> Picture {
         let (mut picture, mut vertices) = (Picture::new(), vec![MeshVertex::EMPTY; shape.positions.len()]);
         let mut workspace = Workspace { vertices: &mut vertices, hidden };
-        draw_tree(tree, &self.instance(shape, shading), &self.scene(), &mut workspace, &mut picture).expect("in range");
+        let faces = TreeInstance { instance: self.instance(shape, shading), tree: *tree };
+        draw_tree(&faces, &self.scene(), &mut workspace, &mut picture).expect("in range");
         picture
     }
 

@@ -209,7 +209,7 @@ proptest! {
         for triangle in 0..shape.list().count() {
             let flat = Shape::of("one", [shape.corners(triangle)]);
             let has_area = Memory::new([1, 1, 0]).build(&flat, 1).is_ok_and(|tree| !tree.nodes().is_empty());
-            prop_assert_eq!(shown.contains(&u16::try_from(triangle).unwrap()), has_area);
+            prop_assert_eq!(shown.contains(&u16::try_from(triangle).expect("few")), has_area);
         }
         let mut nearest_first: Vec<_> = tree.front_to_back(eye).map(core::ptr::from_ref).collect();
         nearest_first.sort_unstable();

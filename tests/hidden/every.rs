@@ -10,7 +10,7 @@ use aquatint::{
         bsp::{Arena, Choice, Node, Piece, Split, Triangles},
         convex::Convex,
     },
-    pipeline::{MeshVertex, Workspace, draw_tree},
+    pipeline::{MeshVertex, TreeInstance, Workspace, draw_tree},
 };
 use proptest::prelude::*;
 
@@ -46,7 +46,7 @@ fn by_tree(things: &Things) -> Picture {
         arena.build(Triangles::new(&thing.positions, &thing.triangles), Choice::best_of(5)).expect("room enough");
     let (mut picture, mut vertices) = (Picture::new(WINDOW), vec![MeshVertex::EMPTY; thing.positions.len()]);
     let mut workspace = Workspace { vertices: &mut vertices, hidden: &mut Convex };
-    draw_tree(&tree, &instance, &scene(), &mut workspace, &mut picture).expect("in range");
+    draw_tree(&TreeInstance { instance, tree }, &scene(), &mut workspace, &mut picture).expect("in range");
     picture
 }
 

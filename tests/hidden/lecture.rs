@@ -3,8 +3,7 @@
 use core::convert::Infallible;
 
 use aquatint::{
-    Clip, Illumination, Light, Matrix, Rect, Scalar, Vector3, View, World,
-    fragment::shade::{Corner, Facet, Shading},
+    Clip, Light, Matrix, Rect, Scalar, Vector3, View, World,
     geometry::{face::Faces, light::Lamp, projection::ViewBox, viewport::Viewport},
     hidden::{convex::Convex, depth::DepthBuffer},
     model::mesh::Mesh,
@@ -15,36 +14,12 @@ use aquatint::{
 };
 use heapless::Vec as Room;
 
-use crate::picture::Picture;
+use crate::{
+    numbered::{FIRST, Numbered},
+    picture::Picture,
+};
 
 const SCREEN: Rect = Rect::new(0, 0, 32, 16);
-
-/// One light for each face: that of its name.
-#[derive(Clone, Copy)]
-struct Named;
-
-impl Shading for Named {
-    type Attributes = [u16; 0];
-    type Face = Light;
-    type Color = Light;
-
-    fn corner(&self, _corner: &Corner) -> [u16; 0] {
-        []
-    }
-
-    fn face<I: Illumination>(&self, _light: &I, facet: &Facet<'_, [u16; 0]>) -> Light {
-        Light(facet.corners[0].index)
-    }
-
-    fn colors<I: Illumination>(
-        &self,
-        _light: &I,
-        face: &Light,
-        _at: (i32, i32),
-    ) -> impl Iterator<Item = Option<Light>> {
-        core::iter::repeat(Some(*face))
-    }
-}
 
 /// Faces of three corners of their own each, in sixteenths of the view's half height: x, y and z, which grows towards the eye.
 struct Faced {
@@ -67,15 +42,15 @@ impl Faced {
         Mesh::new(&self.positions, &self.normals, &self.triangles).expect("indices are right")
     }
 
-    fn instance(&self) -> Instance<'_, Named> {
+    fn instance(&self) -> Instance<'_, Numbered> {
         Instance::new(self.mesh(), Matrix::IDENTITY)
-            .with_material(Material { faces: Faces::Both, ..Material::new(Named) })
+            .with_material(Material { faces: Faces::Both, ..Material::new(Numbered(FIRST)) })
     }
 
     /// The rows of a picture, by the names of the faces.
     fn text(&self, picture: &Picture) -> Vec<String> {
         let name = |(row, column): (i32, i32)| {
-            let face = usize::from(picture.at(row, column).0) / 3;
+            let face = usize::from(picture.at(row, column).0).saturating_sub(FIRST);
             if picture.is_covered(row, column) { self.names.chars().nth(face).unwrap_or('?') } else { '.' }
         };
         SCREEN.rows().map(|row| SCREEN.columns().map(|column| name((row, column))).collect()).collect()
@@ -103,7 +78,7 @@ fn by_depth(faces: &Faced) -> Vec<String> {
 }
 
 fn by_rows(faces: &Faced) -> Vec<String> {
-    let (mut picture, mut memory) = (Picture::new(SCREEN), SceneMemory::<48, 16, 16, Named>::NEW);
+    let (mut picture, mut memory) = (Picture::new(SCREEN), SceneMemory::<48, 16, 16, Numbered>::NEW);
     draw_scene(&[faces.instance()], &scene(), &mut memory, &mut picture).expect("room");
     faces.text(&picture)
 }

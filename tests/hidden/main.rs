@@ -8,3 +8,4 @@ mod painter;
 mod picture;
 mod scanline;
 mod scenes;
+mod sizes;

@@ -13,7 +13,7 @@ pub const FIRST: usize = 2;
 
 /// Gives every pixel the number of its face, from this one on, in meshes of which each face has three vertices of its own.
 #[derive(Clone, Copy)]
-pub struct Numbered(usize);
+pub struct Numbered(pub usize);
 
 impl Shading for Numbered {
     type Attributes = [u16; 0];

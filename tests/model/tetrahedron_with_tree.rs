@@ -2,8 +2,6 @@
 use aquatint::{hidden::bsp::{Node, Piece, Split, Tree, Triangles}, model::{assembly::Assembly, mesh::Mesh}};
 const fn n(face: u16, parent: u16, front: u16, back: u16, first: u16) -> Node { Node { face, parent, front, back, first } }
 const fn p(triangle: u16, cut: u16, next: u16) -> Piece { Piece { triangle, cut, next } }
-#[allow(dead_code)]
-const fn c(side: u16, before: u16) -> Split { Split { side, before } }
 const MESH: Mesh<'static> = match aquatint::model::mesh::Mesh::new(
 &[[9459,9459,9459],[-9459,9459,-9459],[-9459,-9459,9459],[9459,-9459,-9459],
 ],

@@ -222,7 +222,7 @@ mod tests {
     /// Spheres, smaller the more they are: over a surface, as those of a mesh, or all through space.
     fn spheres(count: u32, thickness: i32) -> Vec<Shape> {
         let mut places = Places(count.into());
-        let radius = Scalar::from_bits((24 << 16) / i32::try_from(count.isqrt()).unwrap());
+        let radius = Scalar::from_bits((24 << 16) / i32::try_from(count.isqrt()).expect("few"));
         let sphere = |[x, y, z]: [i32; 3]| {
             let [x, y, z] = [x, y, z / 48 * thickness].map(|v| Scalar::from_bits(v / 2));
             Shape::Sphere(Sphere::new(Point3::new(x, y, z), radius).unwrap())

@@ -29,7 +29,7 @@ use aquatint::{
     model::{assembly::Assembly, mesh::Mesh},
     pipeline::{
         Bounds, Camera, DepthBias, DepthSortMemory, Instance, Material, MeshVertex, ObjectSpaceMemory, Scanlines, Scene,
-        SceneMemory, Unpainted, Workspace, draw_compared, draw_mesh, draw_scene, draw_sorted, draw_tree, draw_wireframe,
+        SceneMemory, TreeInstance, Unpainted, Workspace, draw_compared, draw_mesh, draw_scene, draw_sorted, draw_tree, draw_wireframe,
         mesh_shapes,
     },
 };
@@ -232,7 +232,7 @@ fn trees() {
     let Ok(mut frame) = Frame::<Light, Words, _>::new(lent(&mut bytes), any(), any()) else { return };
     let instance = Instance::new(mesh, any()).with_material(material(Gouraud));
     let mut workspace = Workspace { vertices: lent(&mut vertices), hidden: &mut Convex };
-    keep(draw_tree(&tree, &instance, &scene, &mut workspace, &mut frame).is_ok());
+    keep(draw_tree(&TreeInstance { instance, tree }, &scene, &mut workspace, &mut frame).is_ok());
 }
 
 /// In object space, and sorted by depth, in lists of any length.
