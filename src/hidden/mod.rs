@@ -11,11 +11,11 @@
 //! | way | by | memory | instructions for 8, 64, 512 faces | grows with |
 //! |---|---|---|---|---|
 //! | back faces alone | [`Convex`](convex::Convex) | none | | faces |
-//! | depth buffer | [`draw_mesh`](crate::pipeline::draw_mesh), [`depth`] | 1, 2 or 4 bytes a pixel of the frame or of a band | 48 k, 163 k, 796 k | faces, pixels that they cover |
-//! | scanline | [`draw_scene`](crate::pipeline::draw_scene), [`scanline`] | 16 bytes a face, 100 a face of one row, none for pixels | 59 k, 230 k, 1.0 M | faces, rows that they reach |
-//! | BSP tree | [`draw_tree`](crate::pipeline::draw_tree), [`bsp`] | flash: some 50 bytes a face | 70 k, 253 k, 1.5 M | faces, and how often they are split |
-//! | depth sort | [`draw_sorted`](crate::pipeline::draw_sorted), [`painter`] | 68 bytes a face, 170 a split | 59 k, 257 k, 2.6 M | k log k, and more where faces are close |
-//! | object space | [`draw_compared`](crate::pipeline::draw_compared), [`object_space`] | 48 bytes a face | 113 k, 724 k, 20 M | k² |
+//! | depth buffer | [`draw_mesh`](crate::pipeline::draw_mesh), [`depth`] | 1, 2 or 4 bytes a pixel of the frame or of a band | 49 k, 163 k, 796 k | faces, pixels that they cover |
+//! | scanline | [`draw_scene`](crate::pipeline::draw_scene), [`scanline`] | 16 bytes a face, 100 a face of one row, none for pixels | 60 k, 234 k, 1.1 M | faces, rows that they reach |
+//! | BSP tree | [`draw_tree`](crate::pipeline::draw_tree), [`bsp`] | flash: some 50 bytes a face | 72 k, 255 k, 1.5 M | faces, and how often they are split |
+//! | depth sort | [`draw_sorted`](crate::pipeline::draw_sorted), [`painter`] | 68 bytes a face, 170 a split | 61 k, 265 k, 2.8 M | k log k, and more where faces are close |
+//! | object space | [`draw_compared`](crate::pipeline::draw_compared), [`object_space`] | 48 bytes a face | 115 k, 727 k, 20 M | k² |
 //! | rays, boxes around them | [`draw_rays`](crate::pipeline::draw_rays), [`raycast`] | 70 bytes a face in all, may be flash | 7.4 M, 10 M, 17 M | pixels · log k |
 //! | rays, from a list | the same | none more | 20 M, 120 M, 918 M | pixels · k |
 //!

@@ -20,7 +20,7 @@ fn lists_take_what_is_told() {
     assert_eq!([size_of::<SortedPiece>(), size_of::<PieceCorner>(), size_of::<PieceCut>()], [20, 12, 32]);
     assert_eq!([size_of::<ComparedFace>(), size_of::<PartBound>()], [36, 40]);
     assert_eq!([size_of::<Node>(), size_of::<Piece>(), size_of::<Split>()], [10, 6, 4]);
-    assert_eq!(size_of::<raycast::Node>(), 16);
+    assert_eq!([size_of::<raycast::Node>(), size_of::<raycast::Shape>()], [16, 40]);
 }
 
 /// The face of one row is the only one that depends on the shading.
