@@ -89,6 +89,19 @@ proptest! {
     }
 }
 
+/// Nothing goes through the row's upper border; below it the polygon winds one way and then, behind a flat edge that
+/// crosses it, the other.
+#[test]
+fn a_row_may_begin_with_nothing_and_wind_both_ways() {
+    let corners = [(83, 325), (83, 332), (0, 332), (0, 344)].map(|(x, y)| Point2::from_sixteenths(x, y));
+    let contours = [&corners[..]];
+    let polygon = Polygon::new(&contours).unwrap();
+    for rule in [Rule::NonZero, Rule::EvenOdd] {
+        let worst = error(&polygon, rule);
+        assert!(worst <= 1.0, "{worst}");
+    }
+}
+
 #[test]
 fn crossings_behind_many_corners_are_parted_finely() {
     // 80 corners cut the upper third of a row into bands; below them two flat edges cross soon.

@@ -57,9 +57,15 @@ fn lie_side_by_side(edges: &[AreaEdge]) -> bool {
 
 /// Whether the edges, from left to right, lead in and out by turns, in the same way wherever one begins or ends.
 fn wind_once(edges: &[AreaEdge]) -> bool {
-    let Some(way) = way_at(edges, 0) else { return false };
-    let changes = edges.iter().flat_map(|edge| [edge.parts.0, edge.parts.1]).filter(|part| (1..PARTS).contains(part));
-    changes.into_iter().all(|part| way_at(edges, part).is_some_and(|other| way == 0 || other == 0 || way == other))
+    let begins_and_ends = edges.iter().flat_map(|edge| [edge.parts.0, edge.parts.1]);
+    let mut heights = core::iter::once(0).chain(begins_and_ends.filter(|part| (1..PARTS).contains(part)));
+    let mut way = 0;
+    heights.all(|part| {
+        let Some(here) = way_at(edges, part) else { return false };
+        let is_same = way == 0 || here == 0 || way == here;
+        way = if way == 0 { here } else { way };
+        is_same
+    })
 }
 
 /// Which way the first edge at a height winds, 0 where there is none; nothing where the edges do not wind by turns.
