@@ -1,6 +1,7 @@
-//! The board of the `mcu_*` examples: lm3s6965evb, a Cortex-M3 with 256 KiB of flash, 64 KiB of
-//! RAM and a 128×64 OLED of 4 bits a pixel (SSD0323). QEMU emulates all of it, panel included,
-//! and runs it with a Cortex-M0 or M4 in place of the M3 as well.
+//! The boards of the `mcu_*` examples: lm3s6965evb, a Cortex-M3 with 256 KiB of flash, 64 KiB of
+//! RAM and a 128×64 OLED of 4 bits a pixel (SSD0323); and lm3s811evb, with 64 KiB, 8 KiB and one of 96×16
+//! single bits (SSD0303). QEMU emulates all of them, panels included, and runs them with a Cortex-M0 or M4
+//! in place of the M3 as well.
 //!
 //! Nothing here belongs to aquatint: it is the hundred lines of driver that any firmware brings.
 //! There is no `fmt` and no panic path, so what an example costs in flash is the drawing.
@@ -8,6 +9,7 @@
 
 mod register;
 pub mod semihosting;
+pub mod ssd0303;
 pub mod ssd0323;
 pub mod stack;
 pub mod ticks;

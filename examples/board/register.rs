@@ -5,8 +5,10 @@
 #[repr(usize)]
 pub enum Peripheral {
     GpioPortA = 0x4000_4000,
+    GpioPortB = 0x4000_5000,
     GpioPortC = 0x4000_6000,
     Ssi0 = 0x4000_8000,
+    I2c = 0x4002_0000,
     SystemControl = 0x400F_E000,
     /// `SysTick` and the interrupt controller, inside the core.
     CoreControl = 0xE000_E000,

@@ -5,7 +5,10 @@
 //! real part.
 
 use super::register::{Peripheral, Register};
-use core::ops::Range;
+use core::{
+    ops::Range,
+    sync::atomic::{AtomicU32, Ordering},
+};
 
 pub const WIDTH: u8 = 128;
 pub const HEIGHT: u8 = 64;
@@ -43,6 +46,14 @@ const SSICPSR_DIVISOR: u32 = 4;
 
 const SET_COLUMNS: u8 = 0x15;
 const SET_ROWS: u8 = 0x75;
+
+/// Bytes that were sent, commands too.
+static SENT: AtomicU32 = AtomicU32::new(0);
+
+/// Bytes that were sent since the start, commands too.
+pub fn bytes_sent() -> u32 {
+    SENT.load(Ordering::Relaxed)
+}
 
 /// Wakes the port and the panel.
 pub fn init() {
@@ -92,6 +103,8 @@ fn command(bytes: &[u8]) {
 
 fn send(data_pin: u32, bytes: &[u8]) {
     PORT_C_DATA_PIN.write(data_pin);
+    // Load and store: Cortex-M0 has no more, and nobody else writes.
+    SENT.store(bytes_sent() + bytes.len() as u32, Ordering::Relaxed);
     for &byte in bytes {
         transfer(byte);
     }

@@ -50,16 +50,17 @@ use grid::{Extent, Grid, Part, Picture};
 /// What has changed in a line of bytes: from the first byte that did to the last.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Changed {
-    first: u16,
+    /// How far the first byte is from [`u16::MAX`], so that nothing is all zeros: a list in a static takes no flash.
+    until_end: u16,
     /// [`u16::MAX`] is the end of the line, wherever that is.
     last: u16,
 }
 
 impl Changed {
     /// No byte.
-    pub const NOTHING: Self = Self { first: u16::MAX, last: 0 };
+    pub const NOTHING: Self = Self { until_end: 0, last: 0 };
     /// The whole line.
-    pub const EVERYTHING: Self = Self { first: 0, last: u16::MAX };
+    pub const EVERYTHING: Self = Self { until_end: u16::MAX, last: u16::MAX };
 
     /// The changed bytes of a line that has so many.
     ///
@@ -67,12 +68,12 @@ impl Changed {
     #[must_use]
     pub fn bytes(self, line: usize) -> Range<usize> {
         let end = if self.last == u16::MAX { line } else { line.min(usize::from(self.last) + 1) };
-        let first = usize::from(self.first);
+        let first = usize::from(u16::MAX - self.until_end);
         if first < end { first..end } else { 0..0 }
     }
 
     fn include(&mut self, bytes: &RangeInclusive<usize>) {
-        self.first = self.first.min(saturated(*bytes.start()));
+        self.until_end = self.until_end.max(u16::MAX - saturated(*bytes.start()));
         self.last = self.last.max(saturated(*bytes.end()));
     }
 }

@@ -11,8 +11,8 @@
 //! ```
 //!
 //! Where a fill ends is one division of 32 bits. A run across `n` switches is `n + 1` fills, whatever its length: a row of
-//! a 4 × 4 mask has four switches from a level of the panel to the next, one of 8 × 8 has eight. Between two levels, and below
-//! some dozen pixels, the thresholds are cheaper.
+//! a 4 × 4 mask has four switches from a level of the panel to the next, one of 8 × 8 has eight. Between two levels below
+//! some dozen pixels, and where a panel of many levels has a switch every few pixels, the thresholds are cheaper.
 
 use core::ops::Range;
 
@@ -27,6 +27,9 @@ use crate::{
 
 /// Runs between two levels that are shorter are dithered pixel by pixel.
 const SHORTEST: u32 = 48;
+
+/// Fills of fewer pixels, on average, cost more than the thresholds of their pixels.
+const LEAST_FILL: u32 = 9;
 
 /// What lights must reach between two levels to show the brighter one: 16.15 numbers, computed for a row when one asks.
 #[derive(Clone, Copy, Debug)]
@@ -128,9 +131,21 @@ where
             self.write_run(row, columns, ramp.map(|[light]| Some(Light(light))))
         } else if length < SHORTEST && self.is_in_one_step(length, &ramp) {
             self.draw_in_one_step(row, columns, ramp)
+        } else if self.is_steep(&ramp) {
+            self.write_run(row, columns, ramp.map(|[light]| Some(Light(light))))
         } else {
             self.draw_rays(row, columns, ramp)
         }
+    }
+
+    /// Whether there are so many switches that the thresholds are cheaper.
+    #[inline]
+    fn is_steep(&mut self, ramp: &Ramp<1>) -> bool {
+        self.shades.move_to(Light(from_16_15(ramp.fine()[0])));
+        let (dark, bright) = self.shades.ends();
+        let switches = if M::IN_FOUR { 4 } else { 8 };
+        let columns = LEAST_FILL * switches * (ramp.steps()[0].cast_signed().unsigned_abs() >> FRACTION_16_15);
+        bright.saturating_sub(dark) < columns
     }
 
     /// Whether the run begins and ends between the same two levels.

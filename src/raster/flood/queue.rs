@@ -18,6 +18,9 @@ pub struct Run {
 }
 
 impl Run {
+    /// No pixels; a constant, so that a queue can be a static.
+    pub const EMPTY: Self = Self { row: 0, start: 0, end: 0 };
+
     /// Row and columns are at most 65,535.
     #[inline]
     pub(super) fn new(row: usize, columns: &Range<usize>) -> Self {

@@ -1,0 +1,191 @@
+//! What the emulated panels show, feature by feature: `mcu_grey`, `mcu_mono` and `mcu_cost` draw it from here.
+//!
+//! The crate that has this module says in its module `panel` on what: colours, layout, size. Each feature has memory of
+//! its own, its picture too, so that what it takes can be seen.
+#![allow(dead_code, reason = "each example uses a part")]
+
+mod changes;
+mod flat;
+mod flood;
+pub mod lines;
+mod photo;
+mod polygons;
+mod scanline;
+mod shadow;
+mod solid;
+mod text;
+
+pub use self::{
+    changes::Changes, flat::Flat, flood::Floods, lines::Lines, photo::Photo, polygons::Polygons, scanline::Scanline,
+    shadow::Shadow, solid::Solid, text::Texts,
+};
+
+use aquatint::{Frame, Rect};
+
+use crate::panel::{Color, HEIGHT, Layout, WIDTH};
+
+/// Frames of each feature.
+pub const FRAMES: u16 = 4;
+/// The whole panel.
+pub const PANEL: Rect = Rect::new(0, 0, WIDTH.cast_signed(), HEIGHT.cast_signed());
+/// Bytes of the whole panel.
+pub const BYTES: usize = Frame::<Color, Layout, ()>::bytes_needed(WIDTH, HEIGHT);
+
+/// All of the panel's pixels, packed as it takes them.
+pub type Picture = Frame<Color, Layout, [u8; BYTES]>;
+
+/// A black picture.
+pub const PICTURE: Picture = match Picture::with_array([0; BYTES], WIDTH, HEIGHT) {
+    Ok(picture) => picture,
+    Err(_) => panic!("as many bytes as it needs"),
+};
+
+/// A panel, or what takes its place.
+pub trait Screen {
+    /// Chooses the pixels that `data` fills, line by line; its borders lie between bytes.
+    fn window(&mut self, area: Rect);
+
+    /// Sends bytes into the window. Further calls go on where the last one stopped.
+    fn data(&mut self, bytes: &[u8]);
+}
+
+/// Something to draw, and the memory that it takes.
+pub trait Feature {
+    const NEW: Self;
+
+    /// Draws a frame and sends it; `None` if some of the constants were wrong.
+    fn draw(&mut self, number: u16, screen: &mut impl Screen) -> Option<()>;
+}
+
+/// Sends a whole picture.
+fn send(picture: &Picture, screen: &mut impl Screen) -> Option<()> {
+    screen.window(PANEL);
+    screen.data(picture.bytes());
+    Some(())
+}
+
+/// All features, one after the other.
+pub struct Tour {
+    lines: Lines,
+    polygons: Polygons,
+    photo: Photo,
+    text: Texts,
+    flood: Floods,
+    solid: Solid,
+    scanline: Scanline,
+    changes: Changes,
+    shadow: Shadow,
+}
+
+impl Tour {
+    pub const NEW: Self = Self {
+        lines: Lines::NEW,
+        polygons: Polygons::NEW,
+        photo: Photo::NEW,
+        text: Texts::NEW,
+        flood: Floods::NEW,
+        solid: Solid::NEW,
+        scanline: Scanline::NEW,
+        changes: Changes::NEW,
+        shadow: Shadow::NEW,
+    };
+
+    /// Draws all frames of all features, and has `look` see the bytes of the whole panel after each.
+    pub fn go(&mut self, screen: &mut impl Screen, look: &mut impl FnMut(u32, &[u8])) -> Option<()> {
+        let mut shown = Shown { screen, shadow: &mut self.shadow, look, number: 0 };
+        shown.show(&mut self.lines)?;
+        shown.show(&mut self.polygons)?;
+        shown.show(&mut self.photo)?;
+        shown.show(&mut self.text)?;
+        shown.show(&mut self.flood)?;
+        shown.show(&mut self.solid)?;
+        shown.show(&mut self.scanline)?;
+        shown.show(&mut self.changes)
+    }
+}
+
+/// The panel, and beside it what it must show.
+struct Shown<'s, S, L> {
+    screen: &'s mut S,
+    shadow: &'s mut Shadow,
+    look: &'s mut L,
+    number: u32,
+}
+
+impl<S: Screen, L: FnMut(u32, &[u8])> Shown<'_, S, L> {
+    /// All frames of a feature. A function of its own for each, so that their stacks do not add up.
+    #[inline(never)]
+    fn show(&mut self, feature: &mut impl Feature) -> Option<()> {
+        for number in 0..FRAMES {
+            feature.draw(number, self)?;
+            (self.look)(self.number, self.shadow.bytes());
+            self.number += 1;
+        }
+        Some(())
+    }
+}
+
+impl<S: Screen, L> Screen for Shown<'_, S, L> {
+    fn window(&mut self, area: Rect) {
+        self.screen.window(area);
+        self.shadow.window(area);
+    }
+
+    fn data(&mut self, bytes: &[u8]) {
+        self.screen.data(bytes);
+        self.shadow.data(bytes);
+    }
+}
+
+/// Prints what the panel must show, on the desk.
+#[cfg(not(target_os = "none"))]
+pub fn print(mut tour: Box<Tour>) {
+    let mut look = |number: u32, bytes: &[u8]| {
+        print!("frame {number} ");
+        bytes.iter().for_each(|byte| print!("{byte:02x}"));
+        println!();
+    };
+    tour.go(&mut Nowhere, &mut look).expect("the constants fit");
+}
+
+/// Prints what a feature sends.
+#[cfg(not(target_os = "none"))]
+pub fn print_sent<F: Feature>() {
+    struct Printer;
+
+    impl Screen for Printer {
+        fn window(&mut self, _: Rect) {}
+
+        fn data(&mut self, bytes: &[u8]) {
+            bytes.iter().for_each(|byte| print!("{byte:02x}"));
+        }
+    }
+
+    let mut feature = Box::new(F::NEW);
+    for number in 0..FRAMES {
+        print!("sent {number} ");
+        feature.draw(number, &mut Printer).expect("the constants fit");
+        println!();
+    }
+}
+
+/// No feature: what any firmware takes.
+pub struct Nothing;
+
+impl Feature for Nothing {
+    const NEW: Self = Self;
+
+    fn draw(&mut self, _: u16, screen: &mut impl Screen) -> Option<()> {
+        screen.data(&[0]);
+        Some(())
+    }
+}
+
+/// No panel.
+pub struct Nowhere;
+
+impl Screen for Nowhere {
+    fn window(&mut self, _: Rect) {}
+
+    fn data(&mut self, _: &[u8]) {}
+}

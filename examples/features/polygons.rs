@@ -1,0 +1,37 @@
+//! A star by either fill rule.
+
+use aquatint::{Angle, FillStyle, Point2, Polygon, Rule, Scalar, Subpixel};
+use embedded_graphics::prelude::*;
+
+use super::{Feature, PANEL, PICTURE, Picture, Screen, send};
+use crate::panel::{BLACK, HEIGHT, WHITE};
+
+/// Two stars that turn.
+pub struct Polygons {
+    picture: Picture,
+}
+
+impl Feature for Polygons {
+    const NEW: Self = Self { picture: PICTURE };
+
+    fn draw(&mut self, number: u16, screen: &mut impl Screen) -> Option<()> {
+        let Ok(()) = self.picture.clear(BLACK);
+        for (quarter, rule) in [(1, Rule::NonZero), (3, Rule::EvenOdd)] {
+            let star = star(PANEL.right * quarter / 4, number);
+            let contours = [&star[..]];
+            let polygon = Polygon::new(&contours).ok()?;
+            let Ok(()) = polygon.into_styled(FillStyle::new(WHITE).with_rule(rule)).draw(&mut self.picture);
+        }
+        send(&self.picture, screen)
+    }
+}
+
+/// Five corners around a column, each joined with the next but one.
+pub fn star(column: i32, number: u16) -> [Point2; 5] {
+    core::array::from_fn(|corner| {
+        let angle = Angle((corner as u16).wrapping_mul(26_214).wrapping_add(number * 900));
+        let radius = Scalar::from_num(HEIGHT) / 2;
+        let [x, y] = [angle.sin(), -angle.cos()].map(|part| Subpixel::from_num(part * radius));
+        Point2::new(Subpixel::from_num(column) + x, Subpixel::from_num(HEIGHT / 2) + y)
+    })
+}
