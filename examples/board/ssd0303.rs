@@ -87,7 +87,9 @@ impl Window {
 
     /// Sends columns of eight pixels. Further calls go on where the last one stopped.
     pub fn data(&mut self, mut bytes: &[u8]) {
-        while let Some((now, rest)) = bytes.split_at_checked(self.room().min(bytes.len())).filter(|(now, _)| !now.is_empty()) {
+        while let Some((now, rest)) =
+            bytes.split_at_checked(self.room().min(bytes.len())).filter(|(now, _)| !now.is_empty())
+        {
             self.run(now);
             bytes = rest;
         }

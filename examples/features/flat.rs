@@ -7,29 +7,29 @@ use aquatint::{
 use embedded_graphics::prelude::*;
 use heapless::Vec as List;
 
-use super::{Feature, PICTURE, Picture, Screen, lines::polar, polygons::star, send};
-use crate::panel::{BLACK, HEIGHT, LEVELS, WHITE};
+use super::{BYTES, Feature, Screen, black, lines::polar, polygons::star, send};
+use crate::panel::{HEIGHT, LEVELS, WHITE};
 
 /// A star in half of the light, and two lines.
 pub struct Flat {
-    picture: Picture,
+    bytes: [u8; BYTES],
     edges: List<ActiveEdge, 6>,
 }
 
 impl Feature for Flat {
-    const NEW: Self = Self { picture: PICTURE, edges: List::new() };
+    const NEW: Self = Self { bytes: [0; BYTES], edges: List::new() };
 
     fn draw(&mut self, number: u16, screen: &mut impl Screen) -> Option<()> {
-        let Ok(()) = self.picture.clear(BLACK);
+        let mut picture = black(&mut self.bytes)?;
         let star = star(HEIGHT.cast_signed() / 2, number);
         let contours = [&star[..]];
-        let mut light = Dithered::new(&mut self.picture, LEVELS);
+        let mut light = Dithered::new(&mut picture, LEVELS);
         let polygon = Polygon::new(&contours).ok()?;
         let Ok(()) = fill(&polygon, Rule::NonZero, &mut self.edges, &mut Brush::new(&mut light, Light(32_768)));
         for ray in [1, 2] {
             let line = Line::new(polar(ray, number, 5), polar(ray + 6, number, 5));
-            let Ok(()) = line.into_styled(StrokeStyle::new(WHITE)).draw(&mut self.picture);
+            let Ok(()) = line.into_styled(StrokeStyle::new(WHITE)).draw(&mut picture);
         }
-        send(&self.picture, screen)
+        send(&picture, screen)
     }
 }

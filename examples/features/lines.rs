@@ -7,27 +7,27 @@ use embedded_graphics::{
     text::{Baseline, Text},
 };
 
-use super::{Feature, PANEL, PICTURE, Picture, Screen, send};
-use crate::panel::{BLACK, HEIGHT, WHITE};
+use super::{BYTES, Feature, PANEL, Screen, black, send};
+use crate::panel::{HEIGHT, WHITE};
 
 /// A rose of lines that turns, and what it is.
 pub struct Lines {
-    picture: Picture,
+    bytes: [u8; BYTES],
 }
 
 impl Feature for Lines {
-    const NEW: Self = Self { picture: PICTURE };
+    const NEW: Self = Self { bytes: [0; BYTES] };
 
     fn draw(&mut self, number: u16, screen: &mut impl Screen) -> Option<()> {
-        let Ok(()) = self.picture.clear(BLACK);
+        let mut picture = black(&mut self.bytes)?;
         for ray in 0..12 {
             let [from, to] = [1, 5].map(|fifths| polar(ray, number, fifths));
             let style = StrokeStyle::new(WHITE).with_width(1 + u16::from(ray % 3 == 0));
-            let Ok(()) = Line::new(from, to).into_styled(style).draw(&mut self.picture);
+            let Ok(()) = Line::new(from, to).into_styled(style).draw(&mut picture);
         }
         let style = MonoTextStyle::new(&FONT_6X10, WHITE);
-        let Ok(_) = Text::with_baseline("21.5 C", Point::new(2, 3), style, Baseline::Top).draw(&mut self.picture);
-        send(&self.picture, screen)
+        let Ok(_) = Text::with_baseline("21.5 C", Point::new(2, 3), style, Baseline::Top).draw(&mut picture);
+        send(&picture, screen)
     }
 }
 

@@ -5,7 +5,7 @@
 #![allow(dead_code, reason = "each example uses a part")]
 
 mod changes;
-mod flat;
+pub mod flat;
 mod flood;
 pub mod lines;
 mod photo;
@@ -16,7 +16,7 @@ mod solid;
 mod text;
 
 pub use self::{
-    changes::Changes, flat::Flat, flood::Floods, lines::Lines, photo::Photo, polygons::Polygons, scanline::Scanline,
+    changes::Changes, flood::Floods, lines::Lines, photo::Photo, polygons::Polygons, scanline::Scanline,
     shadow::Shadow, solid::Solid, text::Texts,
 };
 
@@ -31,14 +31,20 @@ pub const PANEL: Rect = Rect::new(0, 0, WIDTH.cast_signed(), HEIGHT.cast_signed(
 /// Bytes of the whole panel.
 pub const BYTES: usize = Frame::<Color, Layout, ()>::bytes_needed(WIDTH, HEIGHT);
 
-/// All of the panel's pixels, packed as it takes them.
-pub type Picture = Frame<Color, Layout, [u8; BYTES]>;
+/// The panel's pixels on lent bytes, packed as it takes them. The bytes alone are kept, and not the frame, which is not all
+/// zeros: a static of zeros takes no flash.
+pub type Picture<'b> = Frame<Color, Layout, &'b mut [u8]>;
+
+/// What the bytes show.
+fn frame(bytes: &mut [u8; BYTES]) -> Option<Picture<'_>> {
+    Frame::new(&mut bytes[..], WIDTH, HEIGHT).ok()
+}
 
 /// A black picture.
-pub const PICTURE: Picture = match Picture::with_array([0; BYTES], WIDTH, HEIGHT) {
-    Ok(picture) => picture,
-    Err(_) => panic!("as many bytes as it needs"),
-};
+fn black(bytes: &mut [u8; BYTES]) -> Option<Picture<'_>> {
+    bytes.fill(0);
+    frame(bytes)
+}
 
 /// A panel, or what takes its place.
 pub trait Screen {
@@ -58,7 +64,7 @@ pub trait Feature {
 }
 
 /// Sends a whole picture.
-fn send(picture: &Picture, screen: &mut impl Screen) -> Option<()> {
+fn send(picture: &Picture<'_>, screen: &mut impl Screen) -> Option<()> {
     screen.window(PANEL);
     screen.data(picture.bytes());
     Some(())

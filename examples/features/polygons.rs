@@ -3,26 +3,26 @@
 use aquatint::{Angle, FillStyle, Point2, Polygon, Rule, Scalar, Subpixel};
 use embedded_graphics::prelude::*;
 
-use super::{Feature, PANEL, PICTURE, Picture, Screen, send};
-use crate::panel::{BLACK, HEIGHT, WHITE};
+use super::{BYTES, Feature, PANEL, Screen, black, send};
+use crate::panel::{HEIGHT, WHITE};
 
 /// Two stars that turn.
 pub struct Polygons {
-    picture: Picture,
+    bytes: [u8; BYTES],
 }
 
 impl Feature for Polygons {
-    const NEW: Self = Self { picture: PICTURE };
+    const NEW: Self = Self { bytes: [0; BYTES] };
 
     fn draw(&mut self, number: u16, screen: &mut impl Screen) -> Option<()> {
-        let Ok(()) = self.picture.clear(BLACK);
+        let mut picture = black(&mut self.bytes)?;
         for (quarter, rule) in [(1, Rule::NonZero), (3, Rule::EvenOdd)] {
             let star = star(PANEL.right * quarter / 4, number);
             let contours = [&star[..]];
             let polygon = Polygon::new(&contours).ok()?;
-            let Ok(()) = polygon.into_styled(FillStyle::new(WHITE).with_rule(rule)).draw(&mut self.picture);
+            let Ok(()) = polygon.into_styled(FillStyle::new(WHITE).with_rule(rule)).draw(&mut picture);
         }
-        send(&self.picture, screen)
+        send(&picture, screen)
     }
 }
 
