@@ -1,6 +1,6 @@
 //! Lines, text, polygons, a photograph, soft text, floods and solids on a 128 × 64 OLED of four bits a pixel, on SPI.
 //!
-//! `cargo run --release --example mcu_grey --target thumbv7m-none-eabi` runs it on QEMU's
+//! `cargo run --profile firmware --example mcu_grey --target thumbv7m-none-eabi` runs it on QEMU's
 //! `lm3s6965evb` board and shows what its panel shows. Run on the desk, the same example prints
 //! the bytes that the firmware must have sent.
 #![cfg_attr(target_os = "none", no_std, no_main)]
@@ -13,19 +13,30 @@ mod scene;
 #[cfg(target_os = "none")]
 mod board;
 
-use features::Tour;
+#[cfg(target_os = "none")]
+use features::{Changes, Feature, Floods, Lines, Memory, Photo, Polygons, Scanline, Shadow, Shown, Solid, Texts, tour};
 
 #[cfg(target_os = "none")]
 #[cortex_m_rt::entry]
 fn main() -> ! {
-    // First in the function: the entry macro makes it a mutable reference that only `main` has.
-    static mut TOUR: Tour = Tour::NEW;
+    // First in the function: the entry macro makes them mutable references that only `main` has.
+    static mut FLAT: (Lines, Polygons, Photo, Floods, Changes) = features::FLAT;
+    static mut SOFT: Texts = Texts::NEW;
+    static mut SOLID: (Solid, Scanline) = features::SOLID;
+    static mut SHADOW: Shadow = Shadow::NEW;
     use board::{look, report, semihosting, ssd0323, stack};
 
     stack::paint();
     ssd0323::init();
-    let is_done = TOUR.go(&mut Oled, &mut look).is_some();
-    report("bus", ssd0323::bytes_sent());
+    let mut counted = 0;
+    let mut look = |number, bytes: &[u8]| {
+        look(number, bytes);
+        let sent = ssd0323::bytes_sent();
+        report("bus", sent - counted);
+        counted = sent;
+    };
+    let memory = Memory { flat: FLAT, soft: SOFT, solid: SOLID };
+    let is_done = tour(memory, Shown::new(&mut Oled, SHADOW, &mut look)).is_some();
     report("stack", stack::high_water());
     semihosting::exit(u8::from(!is_done))
 }
@@ -48,5 +59,5 @@ impl features::Screen for Oled {
 
 #[cfg(not(target_os = "none"))]
 fn main() {
-    features::print(Box::new(Tour::NEW));
+    features::print();
 }

@@ -1,7 +1,8 @@
-//! The same as `mcu_grey` on a 96 × 16 OLED of one bit a pixel, on I²C, with 8 KiB of RAM.
+//! The same as `mcu_grey` on a 96 × 16 OLED of one bit a pixel, on I²C, with 8 KiB of RAM and 64 of flash.
 //!
-//! `cargo run --release --example mcu_mono --target thumbv6m-none-eabi` runs it on QEMU's
-//! `lm3s811evb` board and shows what its panel shows. Run on the desk, the same example prints
+//! `cargo run --profile firmware --example mcu_mono --target thumbv6m-none-eabi` runs it on QEMU's
+//! `lm3s811evb` board and shows what its panel shows: with `PART=flat` before it lines, text, polygons, a photograph,
+//! floods, and what has changed; `PART=soft` soft text; `PART=solid` solids. Run on the desk, the same example prints
 //! the bytes that the firmware must have sent.
 #![cfg_attr(target_os = "none", no_std, no_main)]
 
@@ -13,7 +14,8 @@ mod scene;
 #[cfg(target_os = "none")]
 mod board;
 
-use features::Tour;
+#[cfg(target_os = "none")]
+use features::{Changes, Feature, Floods, Lines, Memory, Photo, Polygons, Scanline, Shadow, Shown, Solid, Texts, tour};
 
 // Tells memory.x that this is for the smaller board.
 #[cfg(target_os = "none")]
@@ -22,14 +24,24 @@ core::arch::global_asm!(".global lm3s811evb", ".equ lm3s811evb, 1");
 #[cfg(target_os = "none")]
 #[cortex_m_rt::entry]
 fn main() -> ! {
-    // First in the function: the entry macro makes it a mutable reference that only `main` has.
-    static mut TOUR: Tour = Tour::NEW;
+    // First in the function: the entry macro makes them mutable references that only `main` has.
+    static mut FLAT: (Lines, Polygons, Photo, Floods, Changes) = features::FLAT;
+    static mut SOFT: Texts = Texts::NEW;
+    static mut SOLID: (Solid, Scanline) = features::SOLID;
+    static mut SHADOW: Shadow = Shadow::NEW;
     use board::{look, report, semihosting, ssd0303, stack};
 
     stack::paint();
     ssd0303::init();
-    let is_done = TOUR.go(&mut Oled(ssd0303::Window::new(0..96, 0)), &mut look).is_some();
-    report("bus", ssd0303::bytes_sent());
+    let mut counted = 0;
+    let mut look = |number, bytes: &[u8]| {
+        look(number, bytes);
+        let sent = ssd0303::bytes_sent();
+        report("bus", sent - counted);
+        counted = sent;
+    };
+    let memory = Memory { flat: FLAT, soft: SOFT, solid: SOLID };
+    let is_done = tour(memory, Shown::new(&mut Oled(ssd0303::Window::new(0..96, 0)), SHADOW, &mut look)).is_some();
     report("stack", stack::high_water());
     semihosting::exit(u8::from(!is_done))
 }
@@ -52,5 +64,5 @@ impl features::Screen for Oled {
 
 #[cfg(not(target_os = "none"))]
 fn main() {
-    features::print(Box::new(Tour::NEW));
+    features::print();
 }

@@ -11,6 +11,8 @@ pub const BLACK: Color = Gray4::BLACK;
 pub const WHITE: Color = Gray4::WHITE;
 /// The emulated panel shows code n as the grey 17n of a monitor.
 pub const LEVELS: Levels<'static> = Levels::SRGB_16;
+/// All features fit in the flash of the board.
+pub const PART: Option<&str> = None;
 /// Two columns in a byte; 15h and 75h with two arguments each open a window.
 pub const GRAIN: Grain = Grain { columns: 2, rows: 1, overhead: 6 };
 

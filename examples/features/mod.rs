@@ -22,7 +22,7 @@ pub use self::{
 
 use aquatint::{Frame, Rect};
 
-use crate::panel::{Color, HEIGHT, Layout, WIDTH};
+use crate::panel::{Color, HEIGHT, Layout, PART, WIDTH};
 
 /// Frames of each feature.
 pub const FRAMES: u16 = 4;
@@ -70,52 +70,57 @@ fn send(picture: &Picture<'_>, screen: &mut impl Screen) -> Option<()> {
     Some(())
 }
 
-/// All features, one after the other.
-pub struct Tour {
-    lines: Lines,
-    polygons: Polygons,
-    photo: Photo,
-    text: Texts,
-    flood: Floods,
-    solid: Solid,
-    scanline: Scanline,
-    changes: Changes,
-    shadow: Shadow,
+/// Memory of all features.
+pub struct Memory<'m> {
+    pub flat: &'m mut (Lines, Polygons, Photo, Floods, Changes),
+    pub soft: &'m mut Texts,
+    pub solid: &'m mut (Solid, Scanline),
 }
 
-impl Tour {
-    pub const NEW: Self = Self {
-        lines: Lines::NEW,
-        polygons: Polygons::NEW,
-        photo: Photo::NEW,
-        text: Texts::NEW,
-        flood: Floods::NEW,
-        solid: Solid::NEW,
-        scanline: Scanline::NEW,
-        changes: Changes::NEW,
-        shadow: Shadow::NEW,
-    };
+pub const FLAT: (Lines, Polygons, Photo, Floods, Changes) =
+    (Lines::NEW, Polygons::NEW, Photo::NEW, Floods::NEW, Changes::NEW);
+pub const SOLID: (Solid, Scanline) = (Solid::NEW, Scanline::NEW);
 
-    /// Draws all frames of all features, and has `look` see the bytes of the whole panel after each.
-    pub fn go(&mut self, screen: &mut impl Screen, look: &mut impl FnMut(u32, &[u8])) -> Option<()> {
-        let mut shown = Shown { screen, shadow: &mut self.shadow, look, number: 0 };
-        shown.show(&mut self.lines)?;
-        shown.show(&mut self.polygons)?;
-        shown.show(&mut self.photo)?;
-        shown.show(&mut self.text)?;
-        shown.show(&mut self.flood)?;
-        shown.show(&mut self.solid)?;
-        shown.show(&mut self.scanline)?;
-        shown.show(&mut self.changes)
+/// Shows all frames of all features, or of those that `PART` says when compiling, where the flash is too small for all.
+/// Inlined, so that of the others nothing is linked.
+#[inline(always)]
+pub fn tour<S: Screen, L: FnMut(u32, &[u8])>(memory: Memory<'_>, mut shown: Shown<'_, S, L>) -> Option<()> {
+    if is_shown("flat") {
+        let (lines, polygons, photo, floods, changes) = memory.flat;
+        shown.show(lines)?;
+        shown.show(polygons)?;
+        shown.show(photo)?;
+        shown.show(floods)?;
+        shown.show(changes)?;
     }
+    if is_shown("soft") {
+        shown.show(memory.soft)?;
+    }
+    if is_shown("solid") {
+        let (solid, scanline) = memory.solid;
+        shown.show(solid)?;
+        shown.show(scanline)?;
+    }
+    Some(())
+}
+
+fn is_shown(part: &str) -> bool {
+    option_env!("PART").or(PART).is_none_or(|wanted| wanted == part)
 }
 
 /// The panel, and beside it what it must show.
-struct Shown<'s, S, L> {
+pub struct Shown<'s, S, L> {
     screen: &'s mut S,
     shadow: &'s mut Shadow,
+    /// Sees the bytes of the whole panel after each frame.
     look: &'s mut L,
     number: u32,
+}
+
+impl<'s, S, L> Shown<'s, S, L> {
+    pub fn new(screen: &'s mut S, shadow: &'s mut Shadow, look: &'s mut L) -> Self {
+        Self { screen, shadow, look, number: 0 }
+    }
 }
 
 impl<S: Screen, L: FnMut(u32, &[u8])> Shown<'_, S, L> {
@@ -145,13 +150,16 @@ impl<S: Screen, L> Screen for Shown<'_, S, L> {
 
 /// Prints what the panel must show, on the desk.
 #[cfg(not(target_os = "none"))]
-pub fn print(mut tour: Box<Tour>) {
+pub fn print() {
     let mut look = |number: u32, bytes: &[u8]| {
         print!("frame {number} ");
         bytes.iter().for_each(|byte| print!("{byte:02x}"));
         println!();
     };
-    tour.go(&mut Nowhere, &mut look).expect("the constants fit");
+    let (mut flat, mut soft, mut solid) = (FLAT, Texts::NEW, SOLID);
+    let memory = Memory { flat: &mut flat, soft: &mut soft, solid: &mut solid };
+    let mut shadow = Shadow::NEW;
+    tour(memory, Shown::new(&mut Nowhere, &mut shadow, &mut look)).expect("the constants fit");
 }
 
 /// Prints what a feature sends.

@@ -10,6 +10,8 @@ pub const HEIGHT: u32 = 16;
 pub const BLACK: Color = BinaryColor::Off;
 pub const WHITE: Color = BinaryColor::On;
 pub const LEVELS: Levels<'static> = Levels::ONE_BIT;
+/// Which features are shown if `PART` does not say it: not all fit in the flash of the board.
+pub const PART: Option<&str> = Some("flat");
 /// A page at a time; three commands of two bytes, and the byte that says that data follow.
 pub const GRAIN: Grain = Grain { columns: 1, rows: 8, overhead: 7 };
 
