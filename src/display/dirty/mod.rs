@@ -49,6 +49,7 @@ use grid::{Extent, Grid, Part, Picture};
 
 /// What has changed in a line of bytes: from the first byte that did to the last.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Changed {
     first: u16,
     /// [`u16::MAX`] is the end of the line, wherever that is.
@@ -104,6 +105,7 @@ fn saturated(byte: usize) -> u16 {
 /// # Ok::<(), core::convert::Infallible>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Dirty<M> {
     entries: M,
 }
