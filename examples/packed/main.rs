@@ -75,7 +75,8 @@ fn in_colour<C: Code + Grey>(lines: &mut String, material: &Material) -> Result<
 macro_rules! all {
     ($color:ty, $layout:ty, $lines:ident, $order:ident, $material:ident: $($name:ident by $draw:ident),*) => { $({
         let (mut packed, mut unpacked) = screens::<$color, $layout>()?;
-        let (Ok(()), Ok(())) = (pictures::$draw(&mut packed, $material), pictures::$draw(&mut unpacked, $material));
+        pictures::$draw(&mut packed, $material).map_err(|error| error.to_string())?;
+        pictures::$draw(&mut unpacked, $material).map_err(|error| error.to_string())?;
         line($lines, (stringify!($name), $order), &packed, &unpacked);
     })* };
 }

@@ -177,14 +177,12 @@ pub fn flood<C: Grey>(screen: &mut impl Screen<C>, _: &Material) -> Drawn {
 }
 
 /// The bunny, shaded smoothly, in dithered light.
-pub fn solid<C: Code>(screen: &mut impl Screen<C>, material: &Material) -> Drawn {
+pub fn solid<C: Code>(screen: &mut impl Screen<C>, material: &Material) -> Result<(), String> {
     pure_solid(&mut Dithered::new(screen, levels::<C>()), material)
 }
 
 /// The same where each light is a colour.
-pub fn pure_solid(light: &mut impl Target<Color = Light, Error = Infallible>, _: &Material) -> Drawn {
+pub fn pure_solid(light: &mut impl Target<Color = Light, Error = Infallible>, _: &Material) -> Result<(), String> {
     let place = light.bounds();
-    // Refused only where the place is empty.
-    let _ = show_mesh(light, place, scene::BUNNY, scene::placement(9));
-    Ok(())
+    show_mesh(light, place, scene::BUNNY, scene::placement(9))
 }

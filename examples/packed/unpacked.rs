@@ -87,7 +87,9 @@ impl<C: PixelColor> Target for Unpacked<C> {
         colors: impl Iterator<Item = Option<C>>,
     ) -> Result<(), Infallible> {
         for (x, color) in columns.zip(colors) {
-            color.into_iter().for_each(|color| self.put(Point::new(x, row), color));
+            if let Some(color) = color {
+                self.put(Point::new(x, row), color);
+            }
         }
         Ok(())
     }
