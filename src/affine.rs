@@ -13,7 +13,7 @@ use embedded_graphics::{geometry::Point, transform::Transform};
 
 use crate::{
     angle::Angle,
-    num::{Scalar, Subpixel, saturate_i32},
+    num::{Scalar, Subpixel, format_fixed, saturate_i32},
     outline::{FINE, Outline, Pen},
     pieces::Curve,
     space::Point2,
@@ -37,6 +37,10 @@ pub struct Affine {
     /// … and to the new y.
     y: [Scalar; 2],
     origin: Point2,
+}
+
+format_fixed! {
+    impl[] |it: Affine| "Affine {{ x: {}, y: {}, origin: {} }}", Fixed(it.x), Fixed(it.y), it.origin
 }
 
 impl Affine {
@@ -151,6 +155,7 @@ fn combined([a, b]: [Scalar; 2], of: [i32; 2], bits: u32) -> i64 {
 /// # Ok::<(), core::convert::Infallible>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Placed<O> {
     outline: O,
     map: Affine,

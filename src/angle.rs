@@ -6,6 +6,7 @@ use crate::num::{Scalar, index, low_i32, saturate_i32};
 
 /// An angle: 65536 is a full turn, so that angles add up and wrap as they should.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Angle(pub u16);
 
 impl Angle {

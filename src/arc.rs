@@ -21,7 +21,7 @@ use crate::{
     angle::Angle,
     edge::LIMIT,
     error::OutOfRange,
-    num::Subpixel,
+    num::{Subpixel, format_fixed},
     outline::{FINE, Outline, Pen, enlarged, trace_large},
     pieces::Curve,
     space::Point2,
@@ -51,6 +51,10 @@ use crate::{
 pub struct Oval {
     center: Point2,
     radii: [Subpixel; 2],
+}
+
+format_fixed! {
+    impl[] |it: Oval| "Oval {{ center: {}, radii: {} }}", it.center, Fixed(it.radii)
 }
 
 impl Oval {
@@ -116,6 +120,7 @@ impl Outline for Oval {
 /// assert_eq!(pixel_bounds(&quarter), aquatint::Rect::new(0, 0, 10, 10));
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Arc {
     oval: Oval,
     start: Angle,
@@ -176,6 +181,7 @@ impl Outline for Arc {
 
 /// What an arc cuts off from its oval: the arc and the straight edge between its ends.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Chord(pub Arc);
 
 impl Outline for Chord {
@@ -198,6 +204,7 @@ impl Outline for Chord {
 ///   ╰───┴─
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Sector(pub Arc);
 
 impl Outline for Sector {

@@ -23,6 +23,7 @@ use crate::{
 
 /// How a colour is combined with the one that is there.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum BlendMode {
     /// It covers what is there: the default. With parts of pixels it is alpha blending.
     #[default]
@@ -145,6 +146,7 @@ colours!(Rgb332, Rgb555, Rgb565, Rgb666, Rgb888, Bgr555, Bgr565, Bgr666, Bgr888)
 /// # assert_ne!(glass.coverage, Coverage::FULL);
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Alpha<C> {
     /// The colour.
     pub color: C,

@@ -24,6 +24,7 @@ use crate::num::{high_u16, low_u8};
 /// It is a colour of embedded-graphics of sixteen bits, so that a picture may be kept in light:
 /// a [`Frame`](crate::Frame) of it in [`Words`](crate::Words) has two bytes a pixel.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Light(pub u16);
 
 impl PixelColor for Light {

@@ -11,6 +11,7 @@
 
 /// A part of a pixel's area: 0 is none of it, 32768 all.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Coverage(u16);
 
 impl Coverage {
@@ -130,6 +131,7 @@ impl Covered<'_> {
 /// assert_eq!(CoverageCurve::thinner(100).bend(half), Coverage::new(8_192));
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct CoverageCurve(i16);
 
 impl CoverageCurve {

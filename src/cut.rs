@@ -31,6 +31,7 @@ const LIMIT: i32 = 1 << 16;
 
 /// A side of a line on the screen: the pixels at whose centres a linear function is not negative.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Cut {
     /// At the centre of pixel (0, 0): less than 2⁶¹ from zero.
     value: i64,

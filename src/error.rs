@@ -21,6 +21,7 @@ pub(crate) use describe;
 
 /// A coordinate is too far from zero to be computed with exactly. Nothing was drawn.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct OutOfRange;
 
 describe! { OutOfRange, Self => "a coordinate is out of range"; }

@@ -32,6 +32,7 @@ use crate::{
 /// # Ok::<(), aquatint::geometry::fog::BadFog>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Fog {
     light: Light,
     /// Where it begins and how far it grows, in units of 2⁻¹⁶.
@@ -44,6 +45,7 @@ pub struct Fog {
 
 /// The fog does not grow: `near` is not before `far`, or a distance is not positive.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct BadFog;
 
 describe! { BadFog, Self => "the fog does not begin before it ends, or has no depth"; }

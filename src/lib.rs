@@ -49,6 +49,7 @@
 //!
 //! # Features
 //!
+//! - `defmt`: errors and plain values can be logged by `defmt`; numbers in fixed point as fractions, `24/16`.
 //! - `ttf`: [text] from TrueType and OpenType fonts, read by `ttf-parser`. Stroke fonts are there without.
 
 #![no_std]

@@ -4,7 +4,7 @@
 use core::marker::PhantomData;
 
 use crate::{
-    num::{Scalar, saturate_i32},
+    num::{Scalar, format_fixed, saturate_i32},
     space::{Point3, Point4, Vector3},
 };
 
@@ -34,6 +34,10 @@ use crate::{
 pub struct Matrix<From, To> {
     rows: [[Scalar; 4]; 4],
     spaces: PhantomData<fn(From) -> To>,
+}
+
+format_fixed! {
+    impl[From, To] |it: Matrix<From, To>| "Matrix {{ rows: {} }}", Fixed(it.rows)
 }
 
 // Not derived: a derive would ask for `From: Clone`, which the map between spaces has no use for.

@@ -11,6 +11,50 @@ pub type Scalar = fixed::types::I16F16;
 /// Whole numbers are the corners of pixels, so the centre of pixel `(x, y)` is `(x + ½, y + ½)`.
 pub type Subpixel = fixed::types::I28F4;
 
+/// Fixed-point numbers as defmt logs them: raw bits, and what stands for one, as in `24/16`. Exact, and nothing to compute.
+#[cfg(feature = "defmt")]
+pub(crate) struct Fixed<T>(pub(crate) T);
+
+#[cfg(feature = "defmt")]
+macro_rules! log_as_fraction {
+    ($($number:ty: $text:literal),+) => { $(
+        impl defmt::Format for Fixed<$number> {
+            fn format(&self, f: defmt::Formatter<'_>) {
+                defmt::write!(f, $text, self.0.to_bits());
+            }
+        }
+    )+ };
+}
+
+#[cfg(feature = "defmt")]
+log_as_fraction!(Subpixel: "{=i32}/16", fixed::types::I20F12: "{=i32}/4096", Scalar: "{=i32}/65536");
+
+#[cfg(feature = "defmt")]
+impl<T: Copy, const N: usize> defmt::Format for Fixed<[T; N]>
+where
+    Fixed<T>: defmt::Format,
+{
+    fn format(&self, f: defmt::Formatter<'_>) {
+        defmt::write!(f, "{}", self.0.map(Fixed));
+    }
+}
+
+/// Lets defmt log a type with fixed-point numbers in it, of which it knows nothing.
+macro_rules! format_fixed {
+    (impl[$($space:ident),*] |$it:ident: $type:ty| $text:literal, $($value:expr),+) => {
+        #[cfg(feature = "defmt")]
+        impl<$($space),*> defmt::Format for $type {
+            fn format(&self, f: defmt::Formatter<'_>) {
+                use crate::num::Fixed;
+                let $it = self;
+                defmt::write!(f, $text, $($value),+);
+            }
+        }
+    };
+}
+
+pub(crate) use format_fixed;
+
 /// Sub-pixel steps in a pixel.
 pub(crate) const SUBPIXELS: i32 = 1 << Subpixel::FRAC_NBITS;
 

@@ -22,6 +22,7 @@ type Place = (i32, i32);
 
 /// The sides of a rectangle beyond which a pixel lies.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Outcode(u8);
 
 impl Outcode {

@@ -20,6 +20,7 @@ use embedded_graphics::pixelcolor::{
 /// # Ok::<(), core::convert::Infallible>(())
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Rgb332(u8);
 
 impl Rgb332 {
@@ -129,6 +130,7 @@ impl From<BinaryColor> for Rgb332 {
 /// # Ok::<(), core::convert::Infallible>(())
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum ThreeColor {
     /// Black.
     Black,
@@ -176,6 +178,7 @@ macro_rules! inks {
     ($(#[$doc:meta])* $name:ident($raw:ident) { $($ink:ident = $code:literal),* }) => {
         $(#[$doc])*
         #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+        #[cfg_attr(feature = "defmt", derive(defmt::Format))]
         pub enum $name {
             $(
                 #[doc = concat!("Code ", $code, ".")]

@@ -150,6 +150,7 @@ impl<'a, S, B> Instance<'a, S, B> {
 
 /// What a surface looks like.
 #[derive(Clone, Copy, Debug)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Material<S = Gouraud> {
     /// How its pixels get their colours.
     pub shading: S,
@@ -171,6 +172,7 @@ impl<S> Material<S> {
 
 /// From where, through what, and onto which part of the screen.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Camera {
     /// The place and direction of the eye.
     pub view: Matrix<World, View>,
@@ -193,6 +195,7 @@ impl Camera {
 
 /// What all instances of a picture have in common.
 #[derive(Clone, Copy, Debug)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Scene<L = Lamp> {
     /// The eye.
     pub camera: Camera,

@@ -36,6 +36,7 @@ pub(crate) const LAST: u32 = 1;
 
 /// Which colours are inside of a region.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Inside<C> {
     /// This one only.
     Like(C),

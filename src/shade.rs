@@ -24,6 +24,7 @@ use crate::{colour::Light, num::index};
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Shade {
     light: Light,
     /// The darker of the two codes that show it …

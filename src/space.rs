@@ -14,7 +14,7 @@ use embedded_graphics::{
     primitives::Rectangle,
 };
 
-use crate::num::{Scalar, Subpixel, bits, saturate_i32, size_i32};
+use crate::num::{Scalar, Subpixel, bits, format_fixed, saturate_i32, size_i32};
 
 /// Space of one object, as its mesh was made.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -50,6 +50,10 @@ pub struct Point3<S> {
     space: PhantomData<S>,
 }
 
+format_fixed! {
+    impl[S] |it: Point3<S>| "Point3 {{ x: {}, y: {}, z: {} }}", Fixed(it.x), Fixed(it.y), Fixed(it.z)
+}
+
 /// A direction in the three-dimensional space `S`, not moved by translations.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Vector3<S> {
@@ -60,6 +64,10 @@ pub struct Vector3<S> {
     /// Towards the viewer.
     pub z: Scalar,
     space: PhantomData<S>,
+}
+
+format_fixed! {
+    impl[S] |it: Vector3<S>| "Vector3 {{ x: {}, y: {}, z: {} }}", Fixed(it.x), Fixed(it.y), Fixed(it.z)
 }
 
 /// A homogeneous point of the space `S`: stands for `(x/w, y/w, z/w)`.
@@ -74,6 +82,10 @@ pub struct Point4<S> {
     /// What the others are divided by.
     pub w: Scalar,
     space: PhantomData<S>,
+}
+
+format_fixed! {
+    impl[S] |it: Point4<S>| "Point4 {{ x: {}, y: {}, z: {}, w: {} }}", Fixed(it.x), Fixed(it.y), Fixed(it.z), Fixed(it.w)
 }
 
 impl<S> Point3<S> {
@@ -130,6 +142,10 @@ pub struct Point2 {
     pub x: Subpixel,
     /// Down.
     pub y: Subpixel,
+}
+
+format_fixed! {
+    impl[] |it: Point2| "Point2 {{ x: {}, y: {} }}", Fixed(it.x), Fixed(it.y)
 }
 
 impl Point2 {
@@ -193,6 +209,7 @@ pub fn twice_area(a: Point2, b: Point2, c: Point2) -> i64 {
 /// bot └───┴───┴───┘
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Rect {
     /// First column inside.
     pub left: i32,

@@ -2,13 +2,14 @@
 
 use crate::{
     coverage::CoverageCurve,
-    num::{SUBPIXELS, Subpixel, saturate_u16},
+    num::{SUBPIXELS, Subpixel, format_fixed, saturate_u16},
 };
 
 /// Which points are inside a polygon that crosses itself or has several contours.
 ///
 /// Lecture 4.2.1. Send a ray from the point to infinity and look at the edges that it crosses.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Rule {
     /// Inside when the crossings, counted +1 downwards and −1 upwards, do not cancel out: where
     /// the contour winds around the point. A pentagram is filled all over.
@@ -30,6 +31,7 @@ impl Rule {
 
 /// Fills a shape with one colour.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct FillStyle<C> {
     /// The colour.
     pub color: C,
@@ -58,6 +60,7 @@ impl<C> FillStyle<C> {
 ///   ──┐ │      ──┐ │     ──┐ │
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Join {
     /// The borders are prolonged until they meet, where the tip is no farther from the corner than
     /// `limit` times half the width; a bevel else. A limit of 4, as of SVG, miters corners of 29° and more.
@@ -80,6 +83,7 @@ pub enum Join {
 ///   ───┘       ────╯      ─────┘
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Cap {
     /// At the end.
     #[default]
@@ -107,6 +111,10 @@ pub struct Stroke {
     pub join: Join,
     /// At the ends of contours that are not closed.
     pub cap: Cap,
+}
+
+format_fixed! {
+    impl[] |it: Stroke| "Stroke {{ width: {}, join: {}, cap: {} }}", Fixed(it.width), it.join, it.cap
 }
 
 impl Stroke {
@@ -147,6 +155,7 @@ impl Stroke {
 ///
 /// A [`Line`](crate::Line) one pixel wide is Bresenham's, of whole pixels and without caps; everything else is an area.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct StrokeStyle<C> {
     /// The colour.
     pub color: C,
@@ -191,6 +200,7 @@ impl<C> StrokeStyle<C> {
 /// # Ok::<(), core::convert::Infallible>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct AntialiasedStyle<C> {
     /// What the inside is filled with, if it is.
     pub fill_color: Option<C>,

@@ -12,6 +12,7 @@ use crate::error::describe;
 
 /// Where path data are wrong, and how. Nothing was drawn.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct SvgError {
     /// The bytes before the place.
     pub offset: usize,
@@ -21,6 +22,7 @@ pub struct SvgError {
 
 /// What can be wrong with path data.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum SvgProblem {
     /// The first command is no `M` or `m`.
     MoveExpected,

@@ -24,10 +24,12 @@ use crate::{
 
 /// The number of a glyph in its font.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct GlyphId(pub u16);
 
 /// A rectangle about a glyph in font units, y upwards.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct GlyphBox {
     /// The least x.
     pub left: i32,
@@ -53,6 +55,7 @@ impl GlyphBox {
 
 /// The measures of a font, in font units.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct FontMetrics {
     /// How many units are an em, the measure that a size is the size of.
     pub units_per_em: u16,

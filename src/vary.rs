@@ -17,6 +17,7 @@ use crate::{
 
 /// A corner: where it is on the screen, and what it carries.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Vertex<const N: usize> {
     /// Place on the screen.
     pub position: Point2,
@@ -87,6 +88,7 @@ impl<const N: usize> Iterator for Ramp<N> {
 
 /// `N` attributes over the plane of the screen, fixed by the three corners of a triangle.
 #[derive(Clone, Copy, Debug)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Plane<const N: usize> {
     /// At the centre of this pixel, with the half for rounding in it.
     pub(crate) origin: [u32; N],

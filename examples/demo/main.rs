@@ -6,6 +6,7 @@
 
 mod live;
 mod obj;
+mod parts;
 mod photo;
 mod record;
 #[path = "../scene/mod.rs"]

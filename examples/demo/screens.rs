@@ -1,11 +1,9 @@
 //! Three panels, and the picture that is drawn on each: mesh, photograph, caption.
 
 use aquatint::{
-    Code, Dithered, Frame, Levels, Light, Matrix, Model, Pages, Rect, Rows, Target, World,
+    Code, Dithered, Frame, Levels, Matrix, Model, Pages, Rect, Rows, World,
     display::{dither::Method, layout::Layout},
-    hidden::depth::DepthBuffer,
     model::mesh::Mesh,
-    pipeline::{Instance, MeshVertex, Workspace, draw_mesh},
 };
 use aquatint_simulator::{Panel, Zoom};
 use embedded_graphics::{
@@ -18,7 +16,10 @@ use embedded_graphics::{
     text::{Alignment, Baseline, Text, TextStyleBuilder},
 };
 
-use crate::{photo::Photo, scene};
+use crate::{
+    parts::{show_mesh, show_photo, show_ramp},
+    photo::Photo,
+};
 
 /// What is to be seen in a frame.
 pub struct Content<'a> {
@@ -120,44 +121,10 @@ impl Screen {
         let mut light = Dithered::new(&mut frame, levels).with_method(content.method);
         show_photo(&mut light, place.photo, &self.photo);
         show_ramp(&mut light, place.ramp);
-        spin(&mut light, place.mesh, content)?;
+        show_mesh(&mut light, place.mesh, content.mesh, content.placement)?;
         let style = MonoTextStyle::new(place.font, ink);
         let centred = TextStyleBuilder::new().alignment(Alignment::Center).baseline(Baseline::Top).build();
         let Ok(_) = Text::with_text_style(content.caption, place.caption, style, centred).draw(&mut frame);
         Ok(())
     }
-}
-
-type NoError = core::convert::Infallible;
-
-fn show_photo(target: &mut impl Target<Color = Light, Error = NoError>, place: Rect, photo: &Photo) {
-    for (row, lights) in place.rows().zip(photo.rows()) {
-        let Ok(()) = target.write_run(row, place.columns(), lights.iter().copied().map(Some));
-    }
-}
-
-/// Black to white, in equal steps of light.
-fn show_ramp(target: &mut impl Target<Color = Light, Error = NoError>, place: Rect) {
-    let steps = (place.width().max(2) - 1) as usize;
-    let light = |at: usize| u16::try_from(at * usize::from(u16::MAX) / steps).unwrap_or(u16::MAX);
-    for row in place.rows() {
-        let Ok(()) = target.write_run(row, place.columns(), (0..).map(|at| Some(Light(light(at)))));
-    }
-}
-
-fn spin(
-    target: &mut impl Target<Color = Light, Error = NoError>,
-    place: Rect,
-    content: &Content<'_>,
-) -> Result<(), String> {
-    for row in place.rows() {
-        let Ok(()) = target.fill_run(row, place.columns(), [Light::BLACK]);
-    }
-    let mut vertices = vec![MeshVertex::default(); content.mesh.positions().len()];
-    let mut depths = vec![0_u16; place.width() as usize * place.height() as usize];
-    let mut depth = DepthBuffer::new(&mut depths, place).map_err(|e| format!("{e:?}"))?;
-    let mut workspace = Workspace { vertices: &mut vertices, hidden: &mut depth };
-    let scene = scene::scene(place).ok_or("no camera")?;
-    let instance = Instance::new(content.mesh, content.placement);
-    draw_mesh(&instance, &scene, &mut workspace, target).map_err(|e| format!("{e:?}"))
 }

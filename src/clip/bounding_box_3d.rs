@@ -32,6 +32,7 @@ use super::{
 /// assert!(!roof.collides(&cellar) && roof.union(&cellar).collides(&cellar));
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct BoundingBox3<S> {
     min: [i32; 3],
     max: [i32; 3],

@@ -34,6 +34,7 @@ use super::{
 /// assert_eq!(ball.union(&wall), BoundingSphere::new(at(2), 3 * 65_536));
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct BoundingSphere<S> {
     center: [i32; 3],
     radius: u32,

@@ -18,6 +18,7 @@ use super::window::{Borders, ClipWindow, PlanePoint};
 
 /// Where a bounded shape lies.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Verdict {
     /// No point of the bounds is in the window: reject the shape.
     Outside,
@@ -39,6 +40,7 @@ pub enum Verdict {
 /// assert_eq!(bounds.against(Rect::new(0, 0, 32, 64)), Verdict::Outside);
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct BoundingBox<P> {
     min: P,
     max: P,
@@ -100,6 +102,7 @@ impl<P: PlanePoint> From<BoundingBox<P>> for ClipWindow<P> {
 /// assert_eq!(ball.against_circle(&BoundingCircle::new(Point2::corner(60, 70), 2 * 16)), Verdict::Crossing);
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct BoundingCircle<P> {
     center: P,
     radius: u32,

@@ -46,6 +46,7 @@ const LIMIT: u32 = 1 << 29;
 /// # Ok::<(), aquatint::OutOfRange>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct ClipPlane {
     coefficients: [i32; 4],
 }

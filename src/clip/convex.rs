@@ -20,6 +20,7 @@ use super::window::{HalfPlane, PlanePoint};
 
 /// Why corners are no convex window.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum WindowError {
     /// A corner is 4,194,304 pixels or more from the origin.
     OutOfRange,

@@ -43,6 +43,7 @@ impl<const N: usize> Cut for Vertex<N> {
 
 /// How far along an edge its crossing with a boundary lies.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Crossing {
     part: u64,
     whole: u64,

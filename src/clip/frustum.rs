@@ -92,6 +92,7 @@ const fn verdict(is_outside: bool, is_inside: bool) -> Verdict {
 /// assert_eq!(verdict(1.75), Ok(Verdict::Outside));
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Frustum<S> {
     sides: [HalfSpace<S>; 7],
 }

@@ -41,6 +41,7 @@ const NORMAL_LIMIT: u32 = 1 << 29;
 /// # Ok::<(), aquatint::OutOfRange>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct HalfSpace<S> {
     pub(super) normal: [i32; 3],
     /// With 32 fraction bits, at most 3·2⁶⁰.

@@ -39,6 +39,7 @@ pub use super::{
 
 /// No room for more in the memory that was lent; the output is cut short.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Full;
 
 describe! { Full, Self => "no room for more in the memory lent"; }
@@ -117,6 +118,7 @@ where
 
 /// One boundary of the pipeline: keeps the first and the last vertex that it has taken.
 #[derive(Clone, Copy, Debug)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Stage<V, B = HalfPlane> {
     boundary: B,
     first: Option<Placed<V>>,

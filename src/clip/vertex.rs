@@ -32,6 +32,7 @@ pub trait Homogeneous: Copy {
 /// assert_eq!((start, end), (vertex(0, 1000), vertex(1, 2000)));
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct ClipVertex<const N: usize> {
     /// Place in clip space.
     pub point: Point4<Clip>,

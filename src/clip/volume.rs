@@ -26,6 +26,7 @@ use super::{vertex::Homogeneous, window::Boundary};
 
 /// What is kept: everything between near and far, as far to the sides as this.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Volume {
     /// What is seen: −w ≤ x, y ≤ w.
     #[default]
@@ -36,6 +37,7 @@ pub enum Volume {
 
 /// One boundary of the volume.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Plane {
     /// In front of the eye: w ≥ ⅛. First, so that the others may rely on it.
     Eye,
@@ -55,6 +57,7 @@ pub enum Plane {
 
 /// A [`Plane`] of a [`Volume`]: a boundary for every vertex in clip space.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Face {
     volume: Volume,
     plane: Plane,

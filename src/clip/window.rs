@@ -64,6 +64,7 @@ impl PlanePoint for Point2 {
 /// assert_eq!(ClipWindow::<Point2>::from(screen).max, Point2::corner(128, 64));
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct ClipWindow<P> {
     /// Least x and y inside.
     pub min: P,
@@ -143,6 +144,7 @@ impl Borders {
 
 /// One side of a straight line, the line included.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct HalfPlane {
     corner: (i32, i32),
     along: (i32, i32),

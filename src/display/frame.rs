@@ -70,6 +70,7 @@ pub struct Frame<C, L, B> {
 /// # Ok::<(), core::convert::Infallible>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Spacing {
     /// Bytes before the first line.
     pub before: usize,
@@ -79,6 +80,7 @@ pub struct Spacing {
 
 /// Memory that cannot hold the picture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct TooSmall {
     /// How many bytes are needed; for a stride that is shorter than a line, how long it must be.
     pub needed: usize,
@@ -163,8 +165,7 @@ impl<C: PixelColor, L: Layout<C>, B: AsRef<[u8]>> Frame<C, L, B> {
         Ok(Self { bytes, width, height, spacing, end: needed, packing: PhantomData })
     }
 
-    /// The bytes of the picture in the order in which the panel takes them, gaps included, from the
-    /// first line on.
+    /// The bytes of the picture in the order in which the panel takes them, gaps included, from the first line on.
     #[must_use]
     pub fn bytes(&self) -> &[u8] {
         self.memory().get(self.spacing.before..).unwrap_or(&[])

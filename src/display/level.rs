@@ -18,6 +18,7 @@ pub struct Levels<'a> {
 
 /// The lights are not 2 to 256 in strictly rising order.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct NotRising;
 
 describe! { NotRising, Self => "the lights are not 2 to 256 in rising order"; }

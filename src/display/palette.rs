@@ -104,6 +104,7 @@ impl<S: IntoSrgb, C: FromChannels> Quantise<C> for ChannelLevels<'_, S> {
 
 /// The inks of a panel, 2 to 16, with the sRGB colours that they have.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Palette<C, const N: usize> {
     /// From dark to bright.
     inks: [Ink<C>; N],

@@ -28,6 +28,7 @@ use embedded_graphics::geometry::Size;
 
 /// How the light between and below the pixels of the source is found.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Filter {
     /// The mean of the area that a pixel of the result covers: for reduction, where nothing is lost. For
     /// enlargement it repeats pixels.
@@ -40,6 +41,7 @@ pub enum Filter {
 
 /// What cannot be scaled. Nothing was drawn.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum ScaleError {
     /// A picture has no pixels.
     Empty,

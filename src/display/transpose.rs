@@ -26,6 +26,7 @@ use crate::{display::frame::TooSmall, num::count};
 
 /// Which bit of a byte is the first of its eight pixels, the leftmost or the topmost one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum BitOrder {
     /// Bit 7: rows of most panels and of `ImageRaw`; columns of UC8151.
     HighFirst,
@@ -56,6 +57,7 @@ pub enum BitOrder {
 /// # Ok::<(), aquatint::TooSmall>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Transpose {
     width: u32,
     height: u32,

@@ -22,6 +22,7 @@ use crate::{
 
 /// How a picture lies on the panel.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Turn {
     /// By 90° clockwise: the picture's left border is the panel's upper one.
     Clockwise,

@@ -26,6 +26,7 @@ use crate::{
 
 /// What is beyond the ends of a gradient.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Extend {
     /// The colours of the ends.
     #[default]

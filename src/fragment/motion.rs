@@ -47,6 +47,7 @@ const CHUNK: usize = 64;
 
 /// The number of sub-frames is not 1 to 256.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct OddSubframes;
 
 describe! { OddSubframes, Self => "the number of sub-frames is not 1 to 256"; }

@@ -36,6 +36,7 @@ use crate::{
 /// # Ok::<(), core::convert::Infallible>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Pattern<C, const W: usize, const H: usize> {
     rows: [[C; W]; H],
     anchor: Point,
@@ -84,6 +85,7 @@ impl<C: Copy, const W: usize, const H: usize> Ink for Pattern<C, W, H> {
 /// # Ok::<(), core::convert::Infallible>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Stencil<C, const H: usize> {
     bits: [u8; H],
     color: C,

@@ -31,6 +31,7 @@ use crate::{
 /// assert_eq!(lights.map(|light| bands.of(light)), [0, 32_767, 32_767, 65_535].map(Light));
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Bands {
     count: u8,
     /// From band to band, of light or of sRGB codes, in 16.16 rounded up: the last is white.

@@ -20,6 +20,7 @@ use crate::{
 
 /// A side of a face.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Side {
     /// The one from which its corners run counter-clockwise.
     Front,
@@ -29,6 +30,7 @@ pub enum Side {
 
 /// Which sides of the faces of a surface are drawn.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Faces {
     /// Fronts: for closed solids, seen from outside.
     #[default]

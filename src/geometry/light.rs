@@ -43,6 +43,7 @@ pub struct Lit<'a> {
 
 /// What part of the light a surface gives back.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Surface {
     /// In all directions alike, out of 65535: how white it is.
     pub diffuse: u16,
@@ -67,6 +68,7 @@ impl Default for Surface {
 
 /// A lamp far away, and the light that is everywhere. It makes no highlights, whatever the surface.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Lamp {
     /// From the scene *towards* the lamp; of any length but zero.
     pub direction: Vector3<World>,
@@ -79,6 +81,7 @@ pub struct Lamp {
 /// A lamp as one object sees it: its direction turned into the object's own space once, so that
 /// no normal has to be turned.
 #[derive(Clone, Copy, Debug)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct ModelLamp {
     /// Length 1 in 2.14.
     direction: [i32; 3],

@@ -74,6 +74,25 @@ pub enum Source {
     },
 }
 
+#[cfg(feature = "defmt")]
+impl defmt::Format for Source {
+    fn format(&self, f: defmt::Formatter<'_>) {
+        use crate::num::Fixed;
+        match self {
+            Self::Directional { direction, light } => {
+                defmt::write!(f, "Directional {{ direction: {}, light: {} }}", direction, light);
+            }
+            Self::Point { position, light, reach } => {
+                defmt::write!(f, "Point {{ position: {}, light: {}, reach: {} }}", position, light, Fixed(*reach));
+            }
+            Self::Spot { position, direction, light, reach, inner, outer } => {
+                defmt::write!(f, "Spot {{ position: {}, direction: {}, light: {}, ", position, direction, light);
+                defmt::write!(f, "reach: {}, inner: {}, outer: {} }}", Fixed(*reach), inner, outer);
+            }
+        }
+    }
+}
+
 /// Lamps of all kinds, and the light that is everywhere.
 ///
 /// ```
@@ -92,6 +111,7 @@ pub enum Source {
 /// assert!(on_cube.on([0, 0, 16384], [0, 0, 16384]) > Light(25_000));
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Lights<const N: usize> {
     /// Light on faces that no source reaches.
     pub ambient: Light,

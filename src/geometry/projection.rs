@@ -4,12 +4,13 @@ use crate::{
     angle::Angle,
     error::describe,
     matrix::Matrix,
-    num::{Scalar, divide_round, saturate_i32},
+    num::{Scalar, divide_round, format_fixed, saturate_i32},
     space::{CLIP_LIMIT, Clip, LEAST_W, View},
 };
 
 /// Why numbers do not make a projection.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum ProjectionError {
     /// The field of view is not between 0° and 180°.
     FieldOfView,
@@ -44,6 +45,11 @@ pub struct Lens {
     pub far: Scalar,
 }
 
+format_fixed! {
+    impl[] |it: Lens| "Lens {{ field_of_view: {}, aspect: {}, near: {}, far: {} }}",
+    it.field_of_view, Fixed(it.aspect), Fixed(it.near), Fixed(it.far)
+}
+
 /// The box that is seen without perspective.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct ViewBox {
@@ -55,6 +61,11 @@ pub struct ViewBox {
     pub near: Scalar,
     /// Distance of the plane behind which nothing is seen, at most 4096.
     pub far: Scalar,
+}
+
+format_fixed! {
+    impl[] |it: ViewBox| "ViewBox {{ height: {}, aspect: {}, near: {}, far: {} }}",
+    Fixed(it.height), Fixed(it.aspect), Fixed(it.near), Fixed(it.far)
 }
 
 /// The `w` of all points without perspective. The larger it is, the more digits the elements of the matrix have.

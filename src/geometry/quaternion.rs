@@ -38,6 +38,7 @@ const UNIT: i64 = 1 << FRACTION;
 /// assert_eq!(placement, Matrix::rotation_y(Angle::QUARTER));
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Quaternion {
     /// Scalar part, then the vector part.
     parts: [i32; 4],

@@ -21,6 +21,7 @@ pub(crate) const fn fine(depth: u32) -> u32 {
 
 /// A point on the screen, and how near it is.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct ScreenPoint {
     /// Place on the screen.
     pub position: Point2,
@@ -31,12 +32,14 @@ pub struct ScreenPoint {
 
 /// The rectangle of the screen that the view fills.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Viewport {
     rect: Rect,
 }
 
 /// The viewport has no pixels, or reaches more than 4096 pixels from the origin.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct BadViewport;
 
 describe! { BadViewport, Self => "the viewport is empty or reaches beyond 4096 pixels"; }

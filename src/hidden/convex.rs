@@ -9,6 +9,7 @@ use crate::{hidden::Hidden, space::Rect, vary::Ramp};
 
 /// Lets every front face be seen, later ones over earlier ones.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Convex;
 
 impl Hidden for Convex {

@@ -83,6 +83,7 @@ pub struct DepthBuffer<'b, D = u16, F = Nearer> {
 
 /// Fewer depths than the window has pixels.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct TooFewDepths {
     /// How many are needed.
     pub needed: usize,

@@ -13,6 +13,7 @@ pub trait DepthFunction: Copy {
 
 /// Nearer than what is stored. Strict, so that of two surfaces at the same depth the one drawn first stays.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Nearer;
 
 impl DepthFunction for Nearer {
@@ -24,6 +25,7 @@ impl DepthFunction for Nearer {
 
 /// The usual tests, chosen while the program runs.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum DepthTest {
     /// No fragment passes.
     Never,
@@ -62,6 +64,7 @@ impl DepthFunction for DepthTest {
 
 /// A test whose depths are not stored.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Unstored<F>(pub(super) F);
 
 impl<F: DepthFunction> DepthFunction for Unstored<F> {

@@ -50,7 +50,7 @@ pub use triangle::Triangle;
 
 use crate::{
     error::OutOfRange,
-    num::Scalar,
+    num::{Scalar, format_fixed},
     space::{Point3, Vector3, World},
 };
 
@@ -62,6 +62,7 @@ pub const BIAS: Scalar = Scalar::from_bits(1 << 6);
 
 /// Something that a ray can hit.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Shape {
     /// A ball.
     Sphere(Sphere),
@@ -121,6 +122,11 @@ pub struct Hit {
     pub normal: Vector3<World>,
     /// Which shape, counted from 0.
     pub number: usize,
+}
+
+format_fixed! {
+    impl[] |it: Hit| "Hit {{ distance: {}, position: {}, normal: {}, number: {} }}",
+    Fixed(it.distance), it.position, it.normal, it.number
 }
 
 impl Hit {

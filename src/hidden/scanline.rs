@@ -31,6 +31,7 @@ use crate::{
 
 /// Pixels of a row in which one surface is seen.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct VisibleRun {
     start: i16,
     end: i16,

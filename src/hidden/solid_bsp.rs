@@ -18,12 +18,13 @@ use core::cmp::Ordering;
 use super::bsp::{NONE, Node, Plan, Tree};
 use crate::{
     error::OutOfRange,
-    num::{Scalar, low_i128},
+    num::{Scalar, format_fixed, low_i128},
     space::{Model, Point3},
 };
 
 /// Where a point is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Place {
     /// In the solid.
     Inside,
@@ -42,6 +43,10 @@ pub struct Hit {
     pub part: Scalar,
     /// Whether its front is struck: the way leads in.
     pub is_front: bool,
+}
+
+format_fixed! {
+    impl[] |it: Hit| "Hit {{ triangle: {}, part: {}, is_front: {} }}", it.triangle, Fixed(it.part), it.is_front
 }
 
 /// The tree of a closed mesh.

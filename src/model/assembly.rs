@@ -38,6 +38,7 @@ pub enum Assembly<'a> {
 
 /// A triangle, and of which face it is a part.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Face {
     /// Its vertices, counter-clockwise.
     pub corners: [u16; 3],

@@ -38,6 +38,7 @@ pub struct Mesh<'a> {
 
 /// Why arrays do not make a mesh.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum MeshError {
     /// The number of normals is not the number of positions.
     NormalCount,

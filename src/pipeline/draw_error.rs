@@ -7,6 +7,7 @@ use crate::error::OutOfRange;
 
 /// Why a mesh was not drawn.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum DrawError<E> {
     /// The workspace holds fewer vertices than the mesh has. Nothing was drawn.
     TooFewVertices {

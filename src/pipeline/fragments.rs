@@ -30,6 +30,7 @@ use crate::{
 /// what is always added, and what is added for each unit that the depth changes from a pixel to the next, which
 /// steep surfaces need. Negative numbers push away.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct DepthBias {
     /// Added everywhere.
     pub constant: i16,

@@ -22,6 +22,7 @@ use crate::{
 
 /// A face that shows in the picture: 12 bytes.
 #[derive(Clone, Copy, Debug)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct ListedFace {
     corners: [u16; 3],
     number: u16,

@@ -13,6 +13,7 @@ use crate::{
 
 /// Why a camera sends no rays.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum NoRays {
     /// There is no eye from which all rays come: the camera has no perspective, or cannot be undone.
     NoEye,
@@ -36,6 +37,7 @@ describe! { NoRays,
 ///
 /// The products are exact; 60 bits of the largest are kept. 82,000 instructions of a Cortex-M0 to set up, no division a pixel.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct PixelRays {
     eye: [i32; 3],
     rect: Rect,

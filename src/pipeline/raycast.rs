@@ -22,6 +22,7 @@ use crate::{
 
 /// How a shape gives back light.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Finish {
     /// In all directions alike, out of 65535: how white it is.
     pub diffuse: u16,
@@ -140,6 +141,7 @@ impl<O: Objects> Tracer<'_, '_, O> {
 
 /// Why a mesh was not made shapes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum MeshShapesError {
     /// There is not one shape for each triangle.
     TooFewShapes {

@@ -14,6 +14,7 @@ use crate::{
 
 /// A vertex after transform and light: 12 bytes. Lend the pipeline one for each vertex of a mesh.
 #[derive(Clone, Copy, Debug, Default)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct MeshVertex {
     /// The place across in sixteenths of a pixel, 20 bits, and the upper 12 bits of the depth.
     across: u32,

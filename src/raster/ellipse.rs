@@ -54,6 +54,7 @@ use crate::{
 /// # Ok::<(), core::convert::Infallible>(())
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Ellipse {
     /// The top left pixel of the rectangle around it.
     pub top_left: Point,

@@ -16,6 +16,7 @@ use crate::{
 
 /// One step of a path.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Segment {
     /// Begins a contour.
     MoveTo(Point2),

@@ -52,6 +52,7 @@ use crate::{
 /// # Ok::<(), aquatint::OutOfRange>(())
 /// ```
 #[derive(Clone, Copy, Debug)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct RampLine<const N: usize> {
     /// Driving axis vertical?
     is_steep: bool,

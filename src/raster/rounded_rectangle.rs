@@ -15,7 +15,7 @@ use crate::{
     arc::Oval,
     edge::LIMIT,
     error::OutOfRange,
-    num::{Subpixel, divide_floor, saturate_i32},
+    num::{Subpixel, divide_floor, format_fixed, saturate_i32},
     outline::{FINE, Outline, Pen, fine, trace_large},
     space::Point2,
 };
@@ -45,6 +45,11 @@ pub struct RoundedRectangle {
     bottom_right: Point2,
     /// They fit.
     radii: [Subpixel; 4],
+}
+
+format_fixed! {
+    impl[] |it: RoundedRectangle| "RoundedRectangle {{ top_left: {}, bottom_right: {}, radii: {} }}",
+    it.top_left, it.bottom_right, Fixed(it.radii)
 }
 
 impl RoundedRectangle {

@@ -45,6 +45,7 @@ use crate::{
 /// # Ok::<(), core::convert::Infallible>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Stipple {
     pattern: u16,
     times: u8,
@@ -72,6 +73,7 @@ impl Stipple {
 
 /// A line of single pixels, of which a pattern says which are drawn. Right for all coordinates.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct StippledLine {
     line: Line,
     stipple: Stipple,

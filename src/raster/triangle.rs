@@ -29,6 +29,7 @@ use crate::{
 
 /// A triangle whose corners carry `N` attributes; `N` may be 0.
 #[derive(Clone, Copy, Debug)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Triangle<const N: usize> {
     corners: [Vertex<N>; 3],
 }

@@ -43,6 +43,7 @@ use crate::{
 /// assert_eq!(warm.apply(codes), [187, 142, 64]);
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct ColourMatrix {
     /// With 12 fraction bits.
     rows: [[i16; 4]; 4],

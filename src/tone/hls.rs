@@ -36,6 +36,7 @@ use crate::num::low_u8;
 /// assert_eq!(Hls { hue: orange.hue + 768, ..orange }.to_rgb(), [0, 127, 255]); // the opposite
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Hls {
     /// 0 to 1535 around the circle: 0 red, 256 yellow, 512 green, 768 cyan, 1024 blue, 1280 magenta; more
     /// goes around again. 0 for greys.

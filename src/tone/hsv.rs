@@ -30,6 +30,7 @@ use crate::num::low_u8;
 /// assert_eq!(Hsv { value: 128, ..sky }.to_rgb(), [32, 80, 128]);
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Hsv {
     /// 0 to 1535 around the circle: 0 red, 256 yellow, 512 green, 768 cyan, 1024 blue, 1280 magenta; more
     /// goes around again. 0 for greys.

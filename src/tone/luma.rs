@@ -17,6 +17,7 @@ use crate::num::{bits, low_u8};
 
 /// Whose weights.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Standard {
     /// Standard television, JPEG.
     #[default]

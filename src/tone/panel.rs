@@ -30,6 +30,7 @@ use crate::{colour::Light, error::describe, num::saturate_u16};
 /// assert_eq!(PAPER.from_panel(Light(60_000)), Light::WHITE); // brighter than the panel
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct PanelRange {
     black: u16,
     range: u16,
@@ -39,6 +40,7 @@ pub struct PanelRange {
 
 /// White is not brighter than black.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct NotBrighter;
 
 describe! { NotBrighter, Self => "the white of the panel is not brighter than its black"; }

@@ -25,7 +25,7 @@
 use crate::{
     colour::Light,
     error::describe,
-    num::{divide_round, low_i32, saturate_i32, saturate_u16},
+    num::{divide_round, format_fixed, low_i32, saturate_i32, saturate_u16},
 };
 
 /// A tristimulus value: a light with 12 bits behind the point. 65535 is the luminance of white; ±524,288.
@@ -51,8 +51,13 @@ pub struct Xyz {
     pub z: Tristimulus,
 }
 
+format_fixed! {
+    impl[] |it: Xyz| "Xyz {{ x: {}, y: {}, z: {} }}", Fixed(it.x), Fixed(it.y), Fixed(it.z)
+}
+
 /// A colour that an sRGB display cannot show, with each channel clipped to what it can.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct OutOfGamut(pub [Light; 3]);
 
 describe! { OutOfGamut, Self(_) => "the display cannot show this colour"; }
@@ -103,6 +108,7 @@ fn dot(row: [i32; 3], column: [i32; 3]) -> i64 {
 
 /// A place in the CIE 1931 diagram, in parts of 65536.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Chromaticity {
     /// The share of X.
     pub x: u16,
@@ -144,6 +150,7 @@ const fn ten_thousandths(value: u16) -> u16 {
 /// assert!(!Gamut::SRGB.contains(laser));
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Gamut {
     /// The chromaticities of the primaries, in any order.
     pub primaries: [Chromaticity; 3],

@@ -27,6 +27,7 @@ use super::luma::{Standard, nearest_code, weighed};
 /// assert_eq!(red.to_rgb(Standard::Bt601), [254, 0, 0]);
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct YCbCr {
     /// Luma, 0 to 255.
     pub y: u8,

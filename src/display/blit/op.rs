@@ -37,6 +37,7 @@ where
 
 /// What becomes of a pixel of the target where one of the source falls on it, bit by bit of their codes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum RasterOp {
     /// It is the source.
     Copy,

@@ -13,6 +13,7 @@
 
 /// The weights of an error diffusion.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Weights {
     /// For the next two pixels of the row.
     pub ahead: [u8; 2],

@@ -59,6 +59,7 @@ pub use riemersma::{AlongCurve, Carry, History, Riemersma};
 
 /// In which direction the rows are walked.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Scan {
     /// To the right, and back to the left: patterns have no direction.
     #[default]
@@ -69,6 +70,7 @@ pub enum Scan {
 
 /// Memory that cannot hold what has to be remembered. Nothing was drawn.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct TooShort {
     /// How many elements are needed.
     pub needed: usize,

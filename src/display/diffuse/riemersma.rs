@@ -34,6 +34,7 @@ pub trait History: Default + sealed::Sealed {
 
 /// The whole error of the last pixel, and nothing else: keeps tone exactly.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Carry {
     /// At most half a step.
     error: i32,
@@ -42,6 +43,7 @@ pub struct Carry {
 /// Riemersma's: parts of the errors of the last 16 pixels. Softer, and high in contrast: what is darker than a
 /// thirteenth of a step becomes black, what is as near to white white.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Riemersma {
     /// The oldest first.
     errors: [i32; 16],

@@ -49,6 +49,7 @@ use grid::{Extent, Grid, Part, Picture};
 
 /// What has changed in a line of bytes: from the first byte that did to the last.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Changed {
     /// How far the first byte is from [`u16::MAX`], so that nothing is all zeros: a list in a static takes no flash.
     until_end: u16,
@@ -105,6 +106,7 @@ fn saturated(byte: usize) -> u16 {
 /// # Ok::<(), core::convert::Infallible>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Dirty<M> {
     entries: M,
 }

@@ -46,6 +46,7 @@ use crate::{
 /// const SSD1327: Grain = Grain { columns: 2, rows: 1, overhead: 6 };
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Grain {
     /// Columns of pixels; [`u32::MAX`] for whole rows, 0 is 1.
     pub columns: u32,

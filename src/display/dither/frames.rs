@@ -43,12 +43,14 @@ use crate::{error::describe, num::high_u16, phase::phase};
 /// # Ok::<(), aquatint::display::dither::OddFrames>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct FrameRateControl {
     thresholds: [[u16; 4]; 4],
 }
 
 /// The number of frames of a series is not 1 to 16.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct OddFrames;
 
 describe! { OddFrames, Self => "the number of frames is not 1 to 16"; }

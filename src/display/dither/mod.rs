@@ -113,6 +113,7 @@ impl<M: Mask> Mask for &M {
 
 /// How light between two levels is shown, chosen while the program runs.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Method {
     /// 4 × 4 ordered dither: the default.
     #[default]

@@ -37,6 +37,7 @@ const DOWN: u32 = 2_447_445_414;
 /// assert!(on.abs_diff(4096) < 50); // half of the pixels
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct R2Noise;
 
 /// The fraction of a pixel, of 2³².

@@ -49,6 +49,7 @@ pub struct RankMask<'a, const W: usize, const H: usize> {
 /// The ranks of a mask are not as many as it has cells, or there is one from 0 to the greatest that does not
 /// occur as often as the others.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct UnevenRanks;
 
 describe! { UnevenRanks, Self => "the ranks are not as many as the cells, or do not occur equally often"; }

@@ -139,6 +139,7 @@ pub trait Layout<C: Copy>: sealed::Sealed + Alike<C> + Packing {
 
 /// How the bytes of a picture are divided into lines.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Shape {
     /// Whether a line of bytes runs down the picture instead of across.
     pub is_vertical: bool,

@@ -31,6 +31,7 @@ use crate::{
 /// # Ok::<(), aquatint::geometry::fog::BadFog>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Fogged<S> {
     shading: S,
     fog: Fog,

@@ -14,6 +14,7 @@ use crate::{
 
 /// Full light everywhere: for textures as they are.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Unlit;
 
 impl Shading for Unlit {
@@ -51,6 +52,7 @@ impl Shading for Unlit {
 /// One light for each face: that on its middle, by the normal of the face, or by the sum of those of its corners
 /// if the mesh has none of faces. A run costs what a run of one colour costs.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Flat;
 
 impl Shading for Flat {
@@ -113,6 +115,7 @@ fn normal_of_sum([a, b, c]: [[i8; 3]; 3]) -> [i16; 3] {
 ///
 /// H. Gouraud, "Continuous shading of curved surfaces", IEEE Transactions on Computers C-20(6), 1971.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Gouraud;
 
 impl Shading for Gouraud {

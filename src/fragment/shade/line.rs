@@ -85,6 +85,7 @@ impl LineShading for Unlit {
 /// # let _ = (paper, ink);
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Plain<C>(pub C);
 
 impl<C: Copy> Shading for Plain<C> {

@@ -53,6 +53,7 @@ impl<S: Shading, C: Copy, F: Fn(S::Color) -> C> Shading for Mapped<S, F> {
 ///
 /// The tile is fixed to the screen: a byte a row, the highest bit on the left. What is left out hides nothing.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Stippled<S, const H: usize> {
     shading: S,
     bits: [u8; H],

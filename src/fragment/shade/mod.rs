@@ -43,6 +43,7 @@ use crate::{
 
 /// A corner of a triangle, as the mesh has it. What a mesh has not is zero, but for `color`, which is white.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Corner {
     /// Of the vertex, in its mesh.
     pub index: u16,

@@ -24,6 +24,7 @@ use crate::{
 
 /// `N` attributes over a triangle in perspective.
 #[derive(Clone, Copy, Debug)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Perspective<const N: usize> {
     /// The least of the three corners, 16.15.
     least: [u32; N],

@@ -14,6 +14,7 @@ use crate::{
 ///
 /// B. T. Phong, "Illumination for computer generated pictures", Communications of the ACM 18(6), 1975.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Phong;
 
 impl Shading for Phong {

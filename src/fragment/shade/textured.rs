@@ -24,6 +24,7 @@ use crate::{
 /// # let _ = shading;
 /// ```
 #[derive(Clone, Copy, Debug)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Textured<X, S> {
     sampler: X,
     shading: S,
@@ -75,6 +76,7 @@ impl<T: Texels, W: Wrap, F: Filter, S: Shading<Color = Light>> Shading for Textu
 
 /// A texture whose places are linear on the screen: no division, and bent where it is seen at a slant.
 #[derive(Clone, Copy, Debug)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Affine<X, S> {
     sampler: X,
     shading: S,

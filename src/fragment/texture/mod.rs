@@ -26,6 +26,7 @@ const MOST_TEXELS: u32 = 4096;
 
 /// Why bytes or lights are no texture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum TextureError {
     /// Width or height is no power of two from 1 to 4096.
     Size,
@@ -88,6 +89,7 @@ impl<const N: usize> CodeLights for &[Light; N] {
 
 /// Codes of 8 bits, as in the grey picture files of everybody.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Srgb;
 
 impl CodeLights for Srgb {

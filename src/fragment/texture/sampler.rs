@@ -28,14 +28,17 @@ pub trait Wrap {
 
 /// Again and again.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Repeat;
 
 /// With the texels of its edge.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct ClampToEdge;
 
 /// Forth and back.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Mirror;
 
 impl Wrap for Repeat {
@@ -69,10 +72,12 @@ pub trait Filter {
 
 /// The light of the texel that a place is in.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Nearest;
 
 /// Between the centres of the four texels around, in linear light: within 1/256 of the white.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Bilinear;
 
 impl Filter for Nearest {
@@ -124,6 +129,7 @@ const fn mixed(near: u32, far: u32, way: u32) -> u32 {
 /// assert_eq!(quarters, [0, 1000, 500, 750, 1000]);
 /// ```
 #[derive(Clone, Copy, Debug)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Sampler<T, W = Repeat, F = Nearest> {
     texels: T,
     size_log2: [u32; 2],

@@ -11,6 +11,7 @@ use crate::{error::describe, num::index_u16};
 
 /// Which planes a tree takes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Choice {
     /// So many triangles are tried for each node. Zero counts as one. Good trees take 5 to 20.
     pub candidates: usize,
@@ -35,6 +36,7 @@ impl Choice {
 
 /// A list that was too short.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum List {
     /// Of nodes: one for each triangle, at most, and for each split.
     Nodes,
@@ -46,6 +48,7 @@ pub enum List {
 
 /// Why there is no tree.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum BuildError {
     /// A list is full; none can have more than 65,535 elements, that of nodes 32,768.
     Full(List),

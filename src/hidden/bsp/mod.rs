@@ -97,6 +97,7 @@ impl<'a> Triangles<'a> {
 
 /// A plane that parts what is left of space.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Node {
     /// The triangle that it is the plane of.
     pub face: u16,
@@ -121,6 +122,7 @@ impl Node {
 
 /// A triangle, or a part of one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Piece {
     /// Which triangle.
     pub triangle: u16,
@@ -137,6 +139,7 @@ impl Piece {
 
 /// On one side of a node's plane, and of all that is cut before.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Split {
     /// The node, and [`Split::BACK`] on its back.
     pub side: u16,
@@ -175,6 +178,7 @@ pub struct Tree<'a> {
 
 /// Why arrays do not make a tree.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum TreeError {
     /// This node has a child that is not behind it in the list, or does not know it; or a face that has no area.
     Node(usize),

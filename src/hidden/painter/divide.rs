@@ -5,6 +5,7 @@ use crate::{cut::Cut, num::SUBPIXELS};
 
 /// A cut of a piece, and the one before it: 32 bytes.
 #[derive(Clone, Copy, Debug)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct PieceCut {
     pub(super) cut: Cut,
     pub(super) before: u16,

@@ -16,6 +16,7 @@ use crate::{
 /// Places are in sixteenths of a pixel, or finer where the viewport is smaller than 4096 pixels: they are at most 2¹⁹ from each
 /// other. Depths have 22 bits, greater is nearer.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct PieceCorner {
     pub(super) x: i32,
     pub(super) y: i32,
@@ -51,6 +52,7 @@ impl PieceCorner {
 
 /// A face, or a piece of one, that waits for its turn: 20 bytes.
 #[derive(Clone, Copy, Debug)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct SortedPiece {
     face: u16,
     first_corner: u16,

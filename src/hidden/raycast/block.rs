@@ -11,6 +11,7 @@ use crate::{
 
 /// The surface of a box whose sides are parallel to the axes, from outside and from inside.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Block {
     min: [i32; 3],
     max: [i32; 3],

@@ -45,6 +45,7 @@ pub struct Node {
 
 /// Why there is no hierarchy.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum HierarchyError {
     /// Fewer nodes than are needed.
     TooFewNodes {

@@ -9,6 +9,7 @@ use crate::{
 
 /// A plane, from both sides.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Plane {
     point: [i32; 3],
     /// Of any length, in 30 bits.

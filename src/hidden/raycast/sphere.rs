@@ -22,6 +22,7 @@ const CUT: u32 = 24;
 
 /// The surface of a ball, from outside and from inside.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Sphere {
     center: [i32; 3],
     /// 0 to 2²², in 2⁻¹⁶.

@@ -25,6 +25,7 @@ const CUT: u32 = 24;
 
 /// A triangle, from both sides.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Triangle {
     corners: [[i32; 3]; 3],
 }

@@ -40,6 +40,7 @@ const MOST_TABLES: usize = 64;
 
 /// Why bytes are not a font that can be drawn.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum FontError {
     /// They are no TrueType or OpenType file, or it ends too early.
     NotAFont,

@@ -20,6 +20,7 @@ use crate::{
 
 /// A face that waits for its first row: 16 bytes.
 #[derive(Clone, Copy, Debug)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct WaitingFace {
     listed: ListedFace,
     pub(super) first_row: i16,

@@ -9,6 +9,7 @@ use crate::{
 
 /// The faces whose first rows are some rows of the picture: 4 bytes.
 #[derive(Clone, Copy, Debug)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct RowBucket {
     /// One more than its first face; 0 if it has none, so that a static array takes no flash.
     first: u16,

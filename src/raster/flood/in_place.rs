@@ -50,6 +50,7 @@ pub struct InPlace<'q> {
 
 /// Why a fill in place was not done, or not to its end.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum InPlaceError<E> {
     /// The seed already has the colour. Nothing was drawn.
     SameColor,

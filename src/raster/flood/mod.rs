@@ -53,6 +53,7 @@ use visited::Visited;
 
 /// What is to be filled. A seed alone, a `Point`, is [`Region::Flood`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Region<C> {
     /// Flood fill: the pixels of the seed's colour that are joined with it.
     Flood(Point),
@@ -85,6 +86,7 @@ impl<C: Copy + PartialEq> Region<C> {
 
 /// Which pixels are neighbours.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Connectivity {
     /// Those that share a side. A diagonal line of single pixels bounds the region.
     #[default]
@@ -95,6 +97,7 @@ pub enum Connectivity {
 
 /// Why nothing was searched. Nothing was drawn either.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Refused {
     /// The visited bitmap is too short; see [`words_needed`].
     TooFewWords {
@@ -113,6 +116,7 @@ describe! {
 
 /// Why a fill was not done.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum FloodError<E> {
     /// Before anything was drawn.
     Refused(Refused),

@@ -11,6 +11,7 @@ use crate::num::index_u16;
 /// assert_eq!(size_of_val(&queue), 96);
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Run {
     row: u16,
     start: u16,

@@ -14,6 +14,7 @@ use crate::{
 
 /// What was filled.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Filled {
     /// How many pixels.
     pub pixels: u32,
