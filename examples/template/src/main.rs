@@ -21,8 +21,9 @@ const CRYSTAL_HZ: u32 = 12_000_000;
 #[rp2040_hal::entry]
 fn main() -> ! {
     // The chip: its clocks at full speed, and two pins as a bus, pulled up.
-    let pac::Peripherals { WATCHDOG, XOSC, CLOCKS, PLL_SYS, PLL_USB, SIO, IO_BANK0, PADS_BANK0, I2C0, mut RESETS, .. } =
-        pac::Peripherals::take().unwrap();
+    let pac::Peripherals {
+        WATCHDOG, XOSC, CLOCKS, PLL_SYS, PLL_USB, SIO, IO_BANK0, PADS_BANK0, I2C0, mut RESETS, ..
+    } = pac::Peripherals::take().unwrap();
     let mut watchdog = Watchdog::new(WATCHDOG);
     let clocks =
         init_clocks_and_plls(CRYSTAL_HZ, XOSC, CLOCKS, PLL_SYS, PLL_USB, &mut RESETS, &mut watchdog).ok().unwrap();
@@ -35,7 +36,7 @@ fn main() -> ! {
     let mut panel = Ssd1306::new(I2CDisplayInterface::new(bus), DisplaySize128x64, DisplayRotation::Rotate0);
     panel.init_with_addr_mode(AddrMode::Horizontal).unwrap();
 
-    // The picture, 128 frames a turn. Angles count 65,536ths of a turn and wrap around.
+    // The picture, again and again. The bus, 25 ms for a frame, sets the pace.
     let mut screen = Screen::with_array([0; 1024], 128, 64).unwrap();
     let mut memory = Memory::NEW;
     let mut turn = Angle(0);
@@ -43,6 +44,6 @@ fn main() -> ! {
         picture::draw(&mut screen, &mut memory, turn).unwrap();
         panel.set_draw_area((0, 0), (128, 64)).unwrap();
         panel.draw(screen.bytes()).unwrap();
-        turn.0 = turn.0.wrapping_add(512);
+        turn.0 = turn.0.wrapping_add(picture::STEP);
     }
 }

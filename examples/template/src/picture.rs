@@ -1,8 +1,8 @@
-//! The picture: a polygon, a ball, text and a turning solid. Pure drawing, which knows no board: it also runs on the desk.
+//! The picture: a turning solid, a star, text. It knows no board, so that it can be tried on the desk, too.
 
 use aquatint::{
-    Angle, Dithered, FillStyle, Frame, Hershey, Levels, Light, Matrix, Model, Pages, Point2,
-    Polygon, Rect, Scalar, StrokeStyle, Subpixel, Text, Vector3, View, World,
+    Angle, Dithered, FillStyle, Frame, Hershey, Levels, Light, Matrix, Model, Pages, Point2, Polygon, Rect, Scalar,
+    StrokeStyle, Subpixel, Text, Vector3, View, World,
     fragment::shade::Flat,
     geometry::{light::Lamp, projection::Lens, viewport::Viewport},
     model::solids::DODECAHEDRON,
@@ -20,7 +20,10 @@ pub type Screen = Frame<BinaryColor, Pages, [u8; 1024]>;
 /// Room for the 20 vertices and 36 triangles of a dodecahedron.
 pub type Memory = SceneMemory<20, 36, 36, Flat>;
 
-/// Draws one frame. `None` if one of the constants here were out of range.
+/// From a frame to the next: 128 frames a turn. Angles count 65,536ths of a turn, and wrap around.
+pub const STEP: u16 = 512;
+
+/// Draws one frame. `None` if one of the numbers below is out of range.
 pub fn draw(screen: &mut Screen, memory: &mut Memory, turn: Angle) -> Option<()> {
     let Ok(()) = screen.clear(BinaryColor::Off);
     draw_solid(screen, memory, turn)?;
@@ -47,7 +50,8 @@ fn draw_solid(screen: &mut Screen, memory: &mut Memory, turn: Angle) -> Option<(
 
 /// On the right a grey disc, by embedded-graphics, and a white star on it.
 fn draw_badge(screen: &mut Screen) -> Option<()> {
-    let grey = PrimitiveStyleBuilder::new().fill_color(Gray8::new(130)).stroke_color(Gray8::WHITE).stroke_width(1).build();
+    let grey =
+        PrimitiveStyleBuilder::new().fill_color(Gray8::new(130)).stroke_color(Gray8::WHITE).stroke_width(1).build();
     let mut greys = Dithered::new(screen, Levels::ONE_BIT).into_draw_target();
     let Ok(()) = Circle::new(Point::new(74, 0), 46).into_styled(grey).draw(&mut greys);
 
