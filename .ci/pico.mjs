@@ -2,8 +2,8 @@
 //
 //   node .ci/pico.mjs FOLDER ELF FRAMES
 //
-// FOLDER has rp2040js in its node_modules. There is no file of the chip's ROM: what it does for a start is done here, and
-// what is called of it in pico_rom.mjs. Prints one object of JSON: `frames`, what the glass showed after each flush,
+// FOLDER has rp2040js in its node_modules. There is no file of the chip's ROM: what it does for a start is done here,
+// and what is called of it in pico_rom.mjs. Prints one object of JSON: `frames`, what the glass showed after each flush,
 // `times` in milliseconds, `state` of the panel, and `problems`, which should be empty.
 import { readFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
@@ -28,7 +28,10 @@ const chip = new RP2040();
 const clock = chip.clock;
 // What the emulator says that it has not, and this firmware can do without: times on the wires of the bus.
 const UNNEEDED = 'I2C0: Unimplemented write to IC_SDA_HOLD';
-const note = (component, message) => `${component}: ${message}` === UNNEEDED || problems.add(`${component}: ${message}`);
+const note = (component, message) => {
+  const what = `${component}: ${message}`;
+  if (what !== UNNEEDED) problems.add(what);
+};
 chip.logger = { debug() {}, info() {}, warn: note, error: note };
 chip.onBreak = (code) => problems.add(`breakpoint ${code}`);
 

@@ -1,7 +1,7 @@
 // What an RP2040 has in its ROM, as far as its HAL for Rust calls it: no file of the ROM is needed.
 //
-// RP2040 data sheet, 2.8.3: the half-words at 14h and 18h point to a table and to the function that looks codes up in it.
-// Calls are seen by their addresses, and done here, in no time.
+// RP2040 data sheet, 2.8.3: the half-words at 14h and 18h point to a table and to the function that looks codes up in
+// it. Calls are seen by their addresses, and done here, in no time.
 
 const TABLE = 0x100;
 const LOOKUP = 0x200;
