@@ -36,7 +36,7 @@ fn main() -> ! {
     let mut panel = Ssd1306::new(I2CDisplayInterface::new(bus), DisplaySize128x64, DisplayRotation::Rotate0);
     panel.init_with_addr_mode(AddrMode::Horizontal).unwrap();
 
-    // The picture, again and again. The bus, 25 ms for a frame, sets the pace.
+    // The picture, some 20 times a second. More than half of the time it is on its way to the panel.
     let mut screen = Screen::with_array([0; 1024], 128, 64).unwrap();
     let mut memory = Memory::NEW;
     let mut turn = Angle(0);
