@@ -10,6 +10,8 @@ mod scene;
 #[cfg(target_os = "none")]
 mod board;
 
+#[cfg(target_os = "none")]
+use aquatint::model::assembly::Assembly;
 use aquatint::{
     Dithered, Frame, Levels, Rect, Rows,
     hidden::depth::DepthBuffer,
@@ -42,6 +44,17 @@ impl Memory {
         vertices: [MeshVertex::EMPTY; scene::BUNNY.positions().len()],
     };
 }
+
+/// What of the flash is the mesh.
+#[cfg(target_os = "none")]
+const MESH_BYTES: u32 = {
+    let mesh = scene::BUNNY;
+    let triangles = match mesh.assembly() {
+        Assembly::Triangles(triangles) => triangles.len(),
+        _ => 0,
+    };
+    (mesh.positions().len() * 9 + triangles * 6) as u32
+};
 
 /// Draws one frame; `None` if some of the constants above were wrong. A function of its own, so that a
 /// profiler can count it alone.
@@ -79,6 +92,7 @@ fn main() -> ! {
         report("instructions", instructions);
     }
     report("stack", stack::high_water());
+    report("mesh", MESH_BYTES);
     semihosting::exit(0)
 }
 

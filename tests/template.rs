@@ -96,3 +96,20 @@ const FIRST_FRAME: &str = "
                                                                    ▀▄▄▄▄██  ▀▄▄▄▄██  ▀█▄▄▄▀█  ▀▄▄▄▄██   █▄▄ █   █     █   █▄▄
                                                                                   █
                                                                                   ▀";
+
+/// What the README shows of the template are its lines, in its order.
+#[test]
+fn the_readme_shows_the_template() {
+    let readme = include_str!("../README.md");
+    let section = readme.split("## From `cargo new` to a picture").nth(1).expect("a section");
+    let shown = |fence| section.split(fence).nth(1).and_then(|rest| rest.split("```").next()).expect("a block");
+    for (shown, own) in [
+        (shown("```toml\n"), include_str!("../examples/template/Cargo.toml")),
+        (shown("```rs\n"), include_str!("../examples/template/src/main.rs")),
+    ] {
+        let mut own = own.lines();
+        for line in shown.lines().filter(|line| !line.is_empty()) {
+            assert!(own.any(|own| own.ends_with(line)), "not in the template, or not in this order: {line}");
+        }
+    }
+}
