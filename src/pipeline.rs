@@ -242,7 +242,9 @@ where
 }
 
 /// Vertex processing: everything that is done before the first triangle is looked at. `None` if nothing is seen.
-#[inline]
+///
+/// Out of line, so that its matrices are off the stack when the triangles are drawn.
+#[inline(never)]
 fn prepared<'s, S: Shading, B: Bounds, L: Lighting, E>(
     instance: &'s Instance<'_, S, B>,
     scene: &Scene<L>,
@@ -327,19 +329,30 @@ fn each_clipped<S: Shading, I: Illumination, E>(
     // What the corners carry depends on the side that is seen, which only the projected pieces tell.
     for side in [Side::Front, Side::Back] {
         if surface.faces.includes(side) {
-            let triangle = MeshTriangle { face, side };
-            let carried = surface.corners(&triangle).map(|corner| ClipVertex {
-                point: surface.transform.apply(corner.position),
-                attributes: surface.shading.corner(&corner),
-            });
-            let mut polygon = ClippedTriangle::from(carried);
-            each_of_fan(surface, &triangle, surface.clipped(&mut polygon, &mut ClippedTriangle::new()), take)?;
+            let (triangle, mut polygon) = (MeshTriangle { face, side }, ClippedTriangle::new());
+            clip(surface, &triangle, &mut polygon);
+            each_of_fan(surface, &triangle, &polygon, take)?;
         }
     }
     Ok(())
 }
 
-/// A convex polygon, as a fan of triangles of the side that is wanted.
+/// The part of a triangle that may be projected. Out of line, so that the list it works in is off the stack then.
+#[inline(never)]
+fn clip<S: Shading, I: Illumination>(
+    surface: &Surface<'_, S, I>,
+    triangle: &MeshTriangle,
+    polygon: &mut ClippedTriangle<S::Attributes>,
+) {
+    polygon.extend(surface.corners(triangle).map(|corner| ClipVertex {
+        point: surface.transform.apply(corner.position),
+        attributes: surface.shading.corner(&corner),
+    }));
+    surface.clip(polygon, &mut ClippedTriangle::new());
+}
+
+/// A convex polygon, as a fan of triangles of the side that is wanted. Out of line: nothing of it is needed while clipping.
+#[inline(never)]
 fn each_of_fan<S: Shading, I: Illumination, E>(
     surface: &Surface<'_, S, I>,
     triangle: &MeshTriangle,

@@ -41,8 +41,8 @@ const LIMIT: u32 = 1 << 29;
 ///     Point4::<Clip>::new(x, y, Scalar::ZERO, Scalar::ONE)
 /// };
 /// let mut polygon = Vec::<_, 11>::from_slice(&[corner(-0.5, 0.0), corner(0.5, 0.0), corner(0.5, 1.0)]).unwrap();
-/// let visible = clip(&mut polygon, &mut Vec::<_, 11>::new(), &[plane], Volume::View).unwrap().to_vec();
-/// assert_eq!(visible, [corner(0.0, 0.5), corner(0.0, 0.0), corner(0.5, 0.0), corner(0.5, 1.0)]);
+/// clip(&mut polygon, &mut Vec::<_, 11>::new(), &[plane], Volume::View).unwrap();
+/// assert_eq!(polygon, [corner(0.0, 0.5), corner(0.0, 0.0), corner(0.5, 0.0), corner(0.5, 1.0)]);
 /// # Ok::<(), aquatint::OutOfRange>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

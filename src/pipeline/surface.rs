@@ -67,15 +67,12 @@ impl<S: Shading, I: Illumination> Surface<'_, S, I> {
         }
     }
 
-    /// The part of a triangle that may be projected, inside of all planes. Works in both lists.
-    pub(super) fn clipped<'m, A: Varying>(
-        &self,
-        triangle: &'m mut VecView<ClipVertex<A>>,
-        spare: &'m mut VecView<ClipVertex<A>>,
-    ) -> &'m [ClipVertex<A>] {
+    /// Leaves the part of a polygon that may be projected, inside of all planes. Works in both lists.
+    pub(super) fn clip<A: Varying>(&self, polygon: &mut VecView<ClipVertex<A>>, spare: &mut VecView<ClipVertex<A>>) {
         // There is room: see their capacity. Were there not, nothing would be drawn.
-        let polygon = sutherland_hodgman_3d::clip(triangle, spare, self.planes, Volume::GuardBand);
-        polygon.map_or(&[], |polygon| polygon.as_slice())
+        if sutherland_hodgman_3d::clip(polygon, spare, self.planes, Volume::GuardBand).is_err() {
+            polygon.clear();
+        }
     }
 
     /// Perspective divide and viewport, out of line: for what has been clipped.

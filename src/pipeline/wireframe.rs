@@ -174,8 +174,8 @@ fn shown_by_pieces<S: LineShading, I: Illumination>(surface: &Surface<'_, S, I>,
     let mut polygon = ClippedTriangle::from(
         corners.map(|index| ClipVertex { point: surface.transform.apply(surface.position(index)), attributes: [] }),
     );
-    let mut spare = ClippedTriangle::new();
-    let [first, rest @ ..] = surface.clipped(&mut polygon, &mut spare) else { return None };
+    surface.clip(&mut polygon, &mut ClippedTriangle::new());
+    let [first, rest @ ..] = &polygon[..] else { return None };
     let place = |vertex: &ClipVertex<[u16; 0]>| surface.project(&vertex.point).position;
     let areas = rest.windows(2).map(|pair| match pair {
         [second, third] => signed_area(place(first), place(second), place(third)),

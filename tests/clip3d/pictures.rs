@@ -27,9 +27,9 @@ fn picture(corners: &[[i32; 3]], sides: &[HalfSpace<View>]) -> String {
     };
     let mut polygon: Vec<Point4<Clip>, 16> = corners.iter().map(place).collect();
     let mut spare = Vec::<_, 16>::new();
-    let kept = sutherland_hodgman_3d::clip(&mut polygon, &mut spare, &planes, Volume::GuardBand).unwrap();
+    sutherland_hodgman_3d::clip(&mut polygon, &mut spare, &planes, Volume::GuardBand).unwrap();
     let view = Viewport::new(SCREEN).unwrap();
-    let outline: std::vec::Vec<Point2> = kept.iter().map(|point| view.project(point).position).collect();
+    let outline: std::vec::Vec<Point2> = polygon.iter().map(|point| view.project(point).position).collect();
     let (mut pixels, mut edges) = (Overdraw::new(SCREEN), Vec::<ActiveEdge, 16>::new());
     let mut sink = SpanFn::new(SCREEN, |row, columns, ()| pixels.add(row, columns));
     let contours = [&outline[..]];
