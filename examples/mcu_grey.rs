@@ -48,7 +48,9 @@ struct Oled;
 #[cfg(target_os = "none")]
 impl features::Screen for Oled {
     fn window(&mut self, area: aquatint::Rect) {
-        let [left, right, top, bottom] = [area.left, area.right, area.top, area.bottom].map(|border| border as u8);
+        let borders = [area.left, area.right, area.top, area.bottom];
+        // All are on the panel.
+        let [left, right, top, bottom] = borders.map(|border| u8::try_from(border).unwrap_or(0));
         board::ssd0323::window(left..right, top..bottom);
     }
 

@@ -53,7 +53,8 @@ struct Oled(board::ssd0303::Window);
 #[cfg(target_os = "none")]
 impl features::Screen for Oled {
     fn window(&mut self, area: aquatint::Rect) {
-        let [left, right, page] = [area.left, area.right, area.top / 8].map(|border| border as u8);
+        // All are on the panel.
+        let [left, right, page] = [area.left, area.right, area.top / 8].map(|border| u8::try_from(border).unwrap_or(0));
         self.0 = board::ssd0303::Window::new(left..right, page);
     }
 

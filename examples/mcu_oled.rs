@@ -47,13 +47,13 @@ impl Memory {
 
 /// What of the flash is the mesh.
 #[cfg(target_os = "none")]
-const MESH_BYTES: u32 = {
+const MESH_BYTES: usize = {
     let mesh = scene::BUNNY;
     let triangles = match mesh.assembly() {
         Assembly::Triangles(triangles) => triangles.len(),
         _ => 0,
     };
-    (mesh.positions().len() * 9 + triangles * 6) as u32
+    mesh.positions().len() * 9 + triangles * 6
 };
 
 /// Draws one frame; `None` if some of the constants above were wrong. A function of its own, so that a
@@ -92,7 +92,7 @@ fn main() -> ! {
         report("instructions", instructions);
     }
     report("stack", stack::high_water());
-    report("mesh", MESH_BYTES);
+    report("mesh", u32::try_from(MESH_BYTES).unwrap_or(0));
     semihosting::exit(0)
 }
 

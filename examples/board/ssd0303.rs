@@ -107,7 +107,7 @@ impl Window {
         command(SET_COLUMN_LOW | column & 15);
         command(SET_COLUMN_HIGH | column >> 4);
         transfer(DATA, bytes);
-        self.column += bytes.len() as u8;
+        self.column += u8::try_from(bytes.len()).unwrap_or(0); // No more than there is room for.
         if self.column == self.columns.end {
             (self.column, self.page) = (self.columns.start, self.page + 1);
         }
@@ -121,7 +121,7 @@ fn command(byte: u8) {
 /// One transfer: what it is, and its bytes.
 fn transfer(kind: u8, bytes: &[u8]) {
     // Load and store: Cortex-M0 has no more, and nobody else writes.
-    SENT.store(bytes_sent() + 1 + bytes.len() as u32, Ordering::Relaxed);
+    SENT.store(bytes_sent() + 1 + u32::try_from(bytes.len()).unwrap_or(0), Ordering::Relaxed);
     put(kind, I2CMCS_START | I2CMCS_RUN);
     for &byte in bytes {
         put(byte, I2CMCS_RUN);

@@ -104,7 +104,7 @@ fn command(bytes: &[u8]) {
 fn send(data_pin: u32, bytes: &[u8]) {
     PORT_C_DATA_PIN.write(data_pin);
     // Load and store: Cortex-M0 has no more, and nobody else writes.
-    SENT.store(bytes_sent() + bytes.len() as u32, Ordering::Relaxed);
+    SENT.store(bytes_sent() + u32::try_from(bytes.len()).unwrap_or(0), Ordering::Relaxed);
     for &byte in bytes {
         transfer(byte);
     }

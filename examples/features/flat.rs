@@ -30,6 +30,7 @@ impl Feature for Flat {
             let line = Line::new(polar(ray, number, 5), polar(ray + 6, number, 5));
             let Ok(()) = line.into_styled(StrokeStyle::new(WHITE)).draw(&mut picture);
         }
-        send(&picture, screen)
+        send(&picture, screen);
+        Some(())
     }
 }

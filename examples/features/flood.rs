@@ -39,6 +39,7 @@ impl Feature for Floods {
         flood.fill_with(&mut picture, Point::new(0, 0), Pattern::from_bits(hatch::DOTS, WHITE, BLACK)).ok()?;
         let between = polar(1, number, 4);
         flood.fill_with(&mut picture, between, Pattern::from_bits(hatch::DIAGONAL, WHITE, BLACK)).ok()?;
-        send(&picture, screen)
+        send(&picture, screen);
+        Some(())
     }
 }

@@ -27,7 +27,8 @@ impl Feature for Lines {
         }
         let style = MonoTextStyle::new(&FONT_6X10, WHITE);
         let Ok(_) = Text::with_baseline("21.5 C", Point::new(2, 3), style, Baseline::Top).draw(&mut picture);
-        send(&picture, screen)
+        send(&picture, screen);
+        Some(())
     }
 }
 

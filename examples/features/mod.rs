@@ -64,10 +64,9 @@ pub trait Feature {
 }
 
 /// Sends a whole picture.
-fn send(picture: &Picture<'_>, screen: &mut impl Screen) -> Option<()> {
+fn send(picture: &Picture<'_>, screen: &mut impl Screen) {
     screen.window(PANEL);
     screen.data(picture.bytes());
-    Some(())
 }
 
 /// Memory of all features.
@@ -82,11 +81,12 @@ pub const FLAT: (Lines, Polygons, Photo, Floods, Changes) =
 pub const SOLID: (Solid, Scanline) = (Solid::NEW, Scanline::NEW);
 
 /// Shows all frames of all features, or of those that `PART` says when compiling, where the flash is too small for all.
-/// Inlined, so that of the others nothing is linked.
+#[expect(clippy::inline_always, reason = "so that of the others nothing is linked")]
 #[inline(always)]
 pub fn tour<S: Screen, L: FnMut(u32, &[u8])>(memory: Memory<'_>, mut shown: Shown<'_, S, L>) -> Option<()> {
+    let Memory { flat, soft, solid } = memory;
     if is_shown("flat") {
-        let (lines, polygons, photo, floods, changes) = memory.flat;
+        let (lines, polygons, photo, floods, changes) = flat;
         shown.show(lines)?;
         shown.show(polygons)?;
         shown.show(photo)?;
@@ -94,10 +94,10 @@ pub fn tour<S: Screen, L: FnMut(u32, &[u8])>(memory: Memory<'_>, mut shown: Show
         shown.show(changes)?;
     }
     if is_shown("soft") {
-        shown.show(memory.soft)?;
+        shown.show(soft)?;
     }
     if is_shown("solid") {
-        let (solid, scanline) = memory.solid;
+        let (solid, scanline) = solid;
         shown.show(solid)?;
         shown.show(scanline)?;
     }
@@ -153,13 +153,20 @@ impl<S: Screen, L> Screen for Shown<'_, S, L> {
 pub fn print() {
     let mut look = |number: u32, bytes: &[u8]| {
         print!("frame {number} ");
-        bytes.iter().for_each(|byte| print!("{byte:02x}"));
+        print_hex(bytes);
         println!();
     };
     let (mut flat, mut soft, mut solid) = (FLAT, Texts::NEW, SOLID);
     let memory = Memory { flat: &mut flat, soft: &mut soft, solid: &mut solid };
     let mut shadow = Shadow::NEW;
     tour(memory, Shown::new(&mut Nowhere, &mut shadow, &mut look)).expect("the constants fit");
+}
+
+#[cfg(not(target_os = "none"))]
+fn print_hex(bytes: &[u8]) {
+    for byte in bytes {
+        print!("{byte:02x}");
+    }
 }
 
 /// Prints what a feature sends.
@@ -171,7 +178,7 @@ pub fn print_sent<F: Feature>() {
         fn window(&mut self, _: Rect) {}
 
         fn data(&mut self, bytes: &[u8]) {
-            bytes.iter().for_each(|byte| print!("{byte:02x}"));
+            print_hex(bytes);
         }
     }
 

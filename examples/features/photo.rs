@@ -26,6 +26,7 @@ impl Feature for Photo {
             let codes = codes.iter().cycle().skip(usize::from(number) * 8);
             let Ok(()) = light.write_run(row, PANEL.columns(), codes.map(|&code| Some(Light::from_srgb(code))));
         }
-        send(&picture, screen)
+        send(&picture, screen);
+        Some(())
     }
 }

@@ -19,10 +19,9 @@ const BYTES: usize = buffer_size::<Color>(WIDTH as usize, HEIGHT as usize);
 
 type Picture = Framebuffer<Color, RawU4, BigEndian, { WIDTH as usize }, { HEIGHT as usize }, BYTES>;
 
-fn send(picture: &Picture, screen: &mut impl Screen) -> Option<()> {
+fn send(picture: &Picture, screen: &mut impl Screen) {
     screen.window(PANEL);
     screen.data(picture.data());
-    Some(())
 }
 
 /// The rose of lines, and text.
@@ -42,7 +41,8 @@ impl Feature for Lines {
         }
         let style = MonoTextStyle::new(&FONT_6X10, WHITE);
         let Ok(_) = Text::with_baseline("21.5 C", Point::new(2, 3), style, Baseline::Top).draw(&mut self.picture);
-        send(&self.picture, screen)
+        send(&self.picture, screen);
+        Some(())
     }
 }
 
@@ -67,7 +67,8 @@ impl Feature for Polygons {
                 let Ok(()) = Triangle::new(a, b, c).into_styled(style).draw(&mut self.picture);
             }
         }
-        send(&self.picture, screen)
+        send(&self.picture, screen);
+        Some(())
     }
 }
 
@@ -75,9 +76,11 @@ impl Feature for Polygons {
 fn corners(column: i32, number: u16) -> [Point; 10] {
     // In the golden ratio, twice.
     let radii = [Scalar::from_num(HEIGHT) / 2, Scalar::from_num(HEIGHT) * 191 / 1000];
-    core::array::from_fn(|corner| {
-        let angle = Angle((corner as u16).wrapping_mul(6553).wrapping_add(number * 900));
-        let [x, y] = [angle.sin(), -angle.cos()].map(|part| (part * radii[corner % 2]).round().to_num::<i32>());
-        Point::new(column + x, HEIGHT.cast_signed() / 2 + y)
-    })
+    let (mut angle, mut points) = (Angle(number * 900), [Point::zero(); 10]);
+    for (point, radius) in points.iter_mut().zip(radii.into_iter().cycle()) {
+        let [x, y] = [angle.sin(), -angle.cos()].map(|part| (part * radius).round().to_num::<i32>());
+        *point = Point::new(column + x, HEIGHT.cast_signed() / 2 + y);
+        angle.0 = angle.0.wrapping_add(6553);
+    }
+    points
 }

@@ -22,14 +22,15 @@ impl Feature for Polygons {
             let polygon = Polygon::new(&contours).ok()?;
             let Ok(()) = polygon.into_styled(FillStyle::new(WHITE).with_rule(rule)).draw(&mut picture);
         }
-        send(&picture, screen)
+        send(&picture, screen);
+        Some(())
     }
 }
 
 /// Five corners around a column, each joined with the next but one.
 pub fn star(column: i32, number: u16) -> [Point2; 5] {
-    core::array::from_fn(|corner| {
-        let angle = Angle((corner as u16).wrapping_mul(26_214).wrapping_add(number * 900));
+    [0, 26_214, 52_428, 13_106, 39_320].map(|corner| {
+        let angle = Angle(number * 900 + corner);
         let radius = Scalar::from_num(HEIGHT) / 2;
         let [x, y] = [angle.sin(), -angle.cos()].map(|part| Subpixel::from_num(part * radius));
         Point2::new(Subpixel::from_num(column) + x, Subpixel::from_num(HEIGHT / 2) + y)

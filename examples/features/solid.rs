@@ -38,6 +38,7 @@ impl Feature for Solid {
         let mut workspace = Workspace { vertices, hidden: &mut depth };
         let instance = Instance::new(ICOSAHEDRON, scene::placement(number * 2));
         draw_mesh(&instance, &scene::scene(AREA)?, &mut workspace, &mut light).ok()?;
-        send(&picture, screen)
+        send(&picture, screen);
+        Some(())
     }
 }

@@ -23,6 +23,7 @@ impl Feature for Texts {
         let at = Point2::corner(3, PANEL.bottom * 3 / 4);
         let text = Text::new(&Hershey::SIMPLEX, "Aqua 21", size, at).with_map(Affine::turn(Angle(number * 300)));
         let Ok(()) = text.into_styled(style).draw(&mut soft);
-        send(&picture, screen)
+        send(&picture, screen);
+        Some(())
     }
 }
