@@ -3,6 +3,10 @@
 //! `FEATURE` says, when compiling, which; `.ci/firmware report` builds all of them for all cores and writes `REPORT.md`. On
 //! the panel of `mcu_grey`, but nothing is sent. Run on the desk, it prints the bytes that would be.
 #![cfg_attr(target_os = "none", no_std, no_main)]
+#![cfg_attr(
+    target_os = "none",
+    expect(clippy::too_many_arguments, reason = "the entry macro makes them of the statics")
+)]
 
 mod features;
 #[path = "features/grey.rs"]
