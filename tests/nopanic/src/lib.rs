@@ -22,6 +22,7 @@ mod hostile;
 mod opaque;
 #[cfg(feature = "run")]
 mod run;
+pub mod scenes;
 
 use core::hint::black_box;
 

@@ -1,5 +1,7 @@
 //! Models, cameras and lamps for the programs that draw scenes.
 
+use core::hint::black_box;
+
 use aquatint::{
     Light,
     geometry::{
@@ -8,6 +10,7 @@ use aquatint::{
         lights::Source,
         viewport::Viewport,
     },
+    hidden::bsp::{Choice, Tree, TreeArrays, Triangles},
     model::{assembly::Assembly, mesh::Mesh},
     pipeline::{Camera, DepthBias, Material, Scene},
 };
@@ -78,4 +81,36 @@ pub fn source() -> Source {
         1 | 2 => Source::Point { position, light, reach },
         _ => Source::Spot { position, direction: any(), light, reach, inner: any(), outer: any() },
     }
+}
+
+/// Two tetrahedra, one through the other.
+pub const PAIR: Mesh<'static> = match Mesh::new(&PLACES, &[[0, 0, 127]; 8], &FACES) {
+    Ok(mesh) => mesh,
+    Err(_) => panic!("bad mesh"),
+};
+
+const PLACES: [[i16; 3]; 8] = [
+    [9_000, 9_000, 9_000],
+    [-9_000, -9_000, 9_000],
+    [-9_000, 9_000, -9_000],
+    [9_000, -9_000, -9_000],
+    [12_000, 5_000, -1_000],
+    [-12_000, -5_000, 1_000],
+    [1_000, 12_000, -5_000],
+    [5_000, -1_000, 12_000],
+];
+
+const FACES: [[u16; 3]; 8] =
+    [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3], [4, 6, 5], [4, 5, 7], [4, 7, 6], [5, 6, 7]];
+
+static BUILT: TreeArrays<'static, 64, 96, 96> = match TreeArrays::build(TRIANGLES, Choice::best_of(2)) {
+    Ok(tree) => tree,
+    Err(_) => panic!("no room for the tree"),
+};
+
+const TRIANGLES: Triangles<'static> = Triangles::new(&PLACES, &FACES);
+
+/// The tree of [`PAIR`], built while compiling.
+pub fn built_tree() -> Tree<'static> {
+    black_box(&BUILT).tree()
 }

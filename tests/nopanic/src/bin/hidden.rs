@@ -2,7 +2,7 @@
 #![no_std]
 #![no_main]
 
-use core::{convert::Infallible, hint::black_box};
+use core::convert::Infallible;
 
 use aquatint::{
     Frame, Light, Matrix, Model, Point3, Point4, View, Words, World,
@@ -17,7 +17,7 @@ use aquatint::{
     pipeline::{Camera, Finish, PixelRays, Raycast},
 };
 use heapless::Vec;
-use nopanic::{any, keep, lent, one_of, part, some};
+use nopanic::{any, keep, lent, one_of, part, scenes::built_tree, some};
 
 /// What a caller lends.
 struct Memory {
@@ -52,25 +52,6 @@ const MEMORY: Memory = Memory {
     rays: [None; 8],
     bytes: [0; 4096],
 };
-
-/// Two blocks, one through the other, in the memory for constants.
-static BUILT: TreeArrays<'static, 64, 96, 96> = match TreeArrays::build(Triangles::new(&PLACES, &FACES), Choice::best_of(2)) {
-    Ok(tree) => tree,
-    Err(_) => panic!("no room for the tree"),
-};
-
-const PLACES: [[i16; 3]; 8] = [
-    [9_000, 9_000, 9_000],
-    [-9_000, -9_000, 9_000],
-    [-9_000, 9_000, -9_000],
-    [9_000, -9_000, -9_000],
-    [12_000, 5_000, -1_000],
-    [-12_000, -5_000, 1_000],
-    [1_000, 12_000, -5_000],
-    [5_000, -1_000, 12_000],
-];
-const FACES: [[u16; 3]; 8] =
-    [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3], [4, 6, 5], [4, 5, 7], [4, 7, 6], [5, 6, 7]];
 
 nopanic::entries! { MEMORY;
     depth_buffer_u8 = |memory: &mut Memory| depth_buffer(&mut memory.depths_8),
@@ -113,7 +94,7 @@ impl Memory {
     /// A tree that was built before, or one that somebody made up.
     fn tree(&mut self) -> Option<Tree<'_>> {
         if any::<u16>() > 1 {
-            return Some(black_box(&BUILT).tree());
+            return Some(built_tree());
         }
         self.nodes.fill_with(|| Node { face: any(), parent: any(), front: any(), back: any(), first: any() });
         self.pieces.fill_with(|| Piece { triangle: any(), cut: any(), next: any() });
