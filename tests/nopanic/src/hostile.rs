@@ -5,7 +5,9 @@
 
 use core::sync::atomic::{AtomicU32, Ordering};
 
-use aquatint::{Affine, Angle, Coverage, Light, Point2, Rect, Scalar, Subpixel, tone::xyz::Tristimulus};
+use aquatint::{
+    Affine, Angle, Clip, Coverage, Light, Matrix, Point2, Rect, Scalar, Subpixel, View, World, tone::xyz::Tristimulus,
+};
 use embedded_graphics::{
     geometry::{Point, Size},
     primitives::Rectangle,
@@ -120,7 +122,7 @@ any!(
     Tristimulus = Tristimulus::from_bits(number(-50, 6000)),
 );
 
-/// Of things a scene is made of: a placement, two cameras, and lenses for them that look along either direction.
+/// Of things a scene is made of: two placements, two views and a lens for each of them.
 #[rustfmt::skip]
 static ROWS: [[[i32; 4]; 4]; 6] = [
     [[65_536, 0, 0, 0], [0, 65_536, 0, 0], [0, 0, 65_536, 0], [0, 0, 0, 65_536]],
@@ -131,13 +133,24 @@ static ROWS: [[[i32; 4]; 4]; 6] = [
     [[65_536, 0, 0, 0], [0, 98_304, 0, 0], [0, 0, 78_643, -144_179], [0, 0, 65_536, 0]],
 ];
 
+/// Those of one of the matrices, now and then with other numbers in it.
+#[inline(never)]
+fn rows(which: u32) -> [[Scalar; 4]; 4] {
+    let rows = if is_wild() { &[[0x7FFF_FFFF; 4]; 4] } else { &ROWS[which as usize] };
+    let noise = 1 << below(12);
+    rows.map(|row| row.map(|value| if is_wild() { scalar() } else { Scalar::from_bits(value & -noise) }))
+}
+
 impl AnyRows for () {
-    #[inline(never)]
     fn any_rows() -> [[Scalar; 4]; 4] {
-        let rows = if is_wild() { &[[0x7FFF_FFFF; 4]; 4] } else { &ROWS[below(6) as usize] };
-        let noise = 1 << below(12);
-        rows.map(|row| row.map(|value| if is_wild() { scalar() } else { Scalar::from_bits(value & -noise) }))
+        rows(if below(4) == 0 { below(6) } else { below(2) })
     }
+}
+
+/// A view and the lens for it.
+pub fn view_and_lens() -> (Matrix<World, View>, Matrix<View, Clip>) {
+    let which = below(2);
+    (Matrix::from_rows(rows(2 + which)), Matrix::from_rows(rows(4 + which)))
 }
 
 /// Some of it, or all.
@@ -178,6 +191,11 @@ static TEXTS: [&str; 10] = [
     " 12H]RFRGNJ RT[YXZVZT",
     "~~~}}}|||\u{7f}  \t\t0123456789",
 ];
+
+/// Width or height of a frame. One without width takes no memory, however high it is; it takes time to fill.
+pub fn side() -> u32 {
+    any::<u32>() & 0xFF
+}
 
 /// Any text.
 #[inline(never)]

@@ -24,15 +24,19 @@ mod opaque;
 mod run;
 pub mod scenes;
 
-use core::hint::black_box;
+use core::{hint::black_box, ops::Range};
 
 use aquatint::{Matrix, Point3, Point4, Scalar, Vector3};
+use embedded_graphics::{
+    geometry::{Point, Size},
+    primitives::Rectangle,
+};
 
 pub use endless::{Endless, endless};
 #[cfg(feature = "run")]
-pub use hostile::{lent, one_of, part, some, text};
+pub use hostile::{lent, one_of, part, side, some, text, view_and_lens};
 #[cfg(not(feature = "run"))]
-pub use opaque::{call, end, lent, one_of, part, some, text};
+pub use opaque::{call, end, lent, one_of, part, side, some, text, view_and_lens};
 #[cfg(feature = "run")]
 pub use run::{call, end};
 
@@ -116,6 +120,21 @@ impl<A, B> Any for Matrix<A, B> {
     fn any() -> Self {
         Self::from_rows(<() as AnyRows>::any_rows())
     }
+}
+
+/// Any columns that do not begin very far to the left.
+///
+/// Who gives a colour for each pixel gives those to the left of the picture, too, and that takes time.
+#[inline(always)]
+pub fn near() -> Range<i32> {
+    any::<i32>().max(-4000)..any()
+}
+
+/// Any place and size, in which points can be counted through.
+#[inline(always)]
+pub fn near_rectangle() -> Rectangle {
+    let [x, y] = any::<[i8; 2]>().map(i32::from);
+    Rectangle::new(Point::new(x, y), Size::new(any::<u8>().into(), any::<u8>().into()))
 }
 
 /// Keeps the compiler from leaving out what nobody asked for.

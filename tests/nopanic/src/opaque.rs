@@ -3,7 +3,7 @@
 use core::{hint::black_box, panic::PanicInfo};
 
 use aquatint::{
-    Affine, Angle, Coverage, Light, Point2, Rect, Scalar, Subpixel,
+    Affine, Angle, Clip, Coverage, Light, Matrix, Point2, Rect, Scalar, Subpixel, View, World,
     tone::xyz::Tristimulus,
 };
 use embedded_graphics::{
@@ -89,6 +89,12 @@ impl AnyRows for () {
     }
 }
 
+/// Any view, and any lens.
+#[inline(always)]
+pub fn view_and_lens() -> (Matrix<World, View>, Matrix<View, Clip>) {
+    any()
+}
+
 /// Memory of any length.
 #[inline(always)]
 pub fn lent<T>(memory: &mut [T]) -> &mut [T] {
@@ -105,6 +111,12 @@ pub fn part<T>(of: &[T]) -> &[T] {
 #[inline(always)]
 pub fn some<T: Any>(memory: &mut [T]) -> &[T] {
     black_box(memory)
+}
+
+/// Any width or height of a frame.
+#[inline(always)]
+pub fn side() -> u32 {
+    any()
 }
 
 /// Any text.

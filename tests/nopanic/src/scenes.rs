@@ -15,7 +15,7 @@ use aquatint::{
     pipeline::{Camera, DepthBias, Material, Scene},
 };
 
-use crate::{any, one_of, part, some};
+use crate::{any, one_of, part, some, view_and_lens};
 
 /// The arrays of a mesh.
 pub struct Model {
@@ -61,7 +61,8 @@ impl Model {
 }
 
 pub fn camera() -> Option<Camera> {
-    Some(Camera { view: any(), projection: any(), viewport: Viewport::new(any()).ok()? })
+    let (view, projection) = view_and_lens();
+    Some(Camera { view, projection, viewport: Viewport::new(any()).ok()? })
 }
 
 pub fn scene() -> Option<Scene> {

@@ -21,7 +21,7 @@ use aquatint::{
 };
 use embedded_graphics::geometry::Point;
 use heapless::Vec;
-use nopanic::{Any, any, keep, lent, one_of, part, some};
+use nopanic::{Any, any, keep, lent, one_of, part, side, some};
 
 /// What a caller lends.
 struct Memory {

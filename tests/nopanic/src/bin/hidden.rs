@@ -5,8 +5,8 @@
 use core::convert::Infallible;
 
 use aquatint::{
-    Frame, Light, Matrix, Model, Point3, Point4, View, Words, World,
-    geometry::{light::Lamp, viewport::Viewport},
+    Frame, Light, Model, Point3, Point4, Words, World,
+    geometry::light::Lamp,
     hidden::{
         Hidden,
         bsp::{Arena, Choice, Node, Piece, Split, Tree, TreeArrays, Triangles},
@@ -14,10 +14,10 @@ use aquatint::{
         raycast::{self, Block, Hierarchy, Objects, Plane, Ray, Shape, Sphere, Triangle},
         solid_bsp::SolidTree,
     },
-    pipeline::{Camera, Finish, PixelRays, Raycast},
+    pipeline::{Finish, PixelRays, Raycast},
 };
 use heapless::Vec;
-use nopanic::{any, keep, lent, one_of, part, scenes::built_tree, some};
+use nopanic::{any, side, keep, lent, one_of, part, scenes::{built_tree, camera}, some};
 
 /// What a caller lends.
 struct Memory {
@@ -227,8 +227,7 @@ fn asked(objects: &(impl Objects + ?Sized)) {
 }
 
 fn pixel_rays(memory: &mut Memory) {
-    let Ok(viewport) = Viewport::new(any()) else { return };
-    let camera = Camera { view: any::<Matrix<World, View>>(), projection: any(), viewport };
+    let Some(camera) = camera() else { return };
     let Ok(rays) = PixelRays::new(&camera) else { return };
     keep((rays.rect(), rays.run(any(), any()..any()).next()));
     if let Some(place) = memory.rays.get_mut(any::<usize>()) {
@@ -253,7 +252,7 @@ fn drawn<O: Objects>(objects: O, rays: Option<&Option<PixelRays>>, finishes: &mu
     finishes.fill_with(|| Finish { diffuse: any(), mirror: any() });
     let lamp = Lamp { direction: any(), ambient: any(), diffuse: any() };
     let scene = Raycast { objects, finishes: part(finishes), lamp, background: any() };
-    let Ok(mut frame) = Frame::<Light, Words, _>::new(lent(bytes), any(), any()) else { return };
+    let Ok(mut frame) = Frame::<Light, Words, _>::new(lent(bytes), side(), side()) else { return };
     let drawn: Result<(), Infallible> = aquatint::pipeline::draw_rays(&scene, rays, &mut frame);
     keep(drawn);
 }

@@ -110,7 +110,7 @@ where
     L: Lighting,
 {
     let (Some(mesh), Some(scene)) = (memory.model.mesh(), scene) else { return };
-    let Ok(mut frame) = Frame::<BinaryColor, Rows, _>::new(lent(&mut memory.bytes), any(), any()) else { return };
+    let Ok(mut frame) = Frame::<BinaryColor, Rows, _>::new(lent(&mut memory.bytes), side(), side()) else { return };
     memory.planes.clear();
     while any::<u16>() > 5 && ClipPlane::new(any()).is_ok_and(|plane| memory.planes.push(plane).is_ok()) {}
     let instance = Instance::new(mesh, any()).with_material(material(shading)).with_planes(&memory.planes);
@@ -199,7 +199,7 @@ fn wireframe<S: LineShading<Color = Light>>(shading: S, memory: &mut Memory) {
     let (Some(mesh), Some(scene)) = (drawing.model.mesh(), scene()) else { return };
     let Ok(mut depth) = DepthBuffer::new(lent(depths_16), any()) else { return };
     depth.clear();
-    let Ok(mut frame) = Frame::<Light, Words, _>::new(lent(&mut drawing.bytes), any(), any()) else { return };
+    let Ok(mut frame) = Frame::<Light, Words, _>::new(lent(&mut drawing.bytes), side(), side()) else { return };
     let instance = Instance::new(mesh, any()).with_material(material(shading));
     let mut workspace = Workspace { vertices: lent(&mut drawing.vertices), hidden: &mut depth };
     keep(draw_wireframe(&instance, &scene, &mut workspace, &mut frame).is_ok());

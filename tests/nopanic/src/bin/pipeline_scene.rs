@@ -101,7 +101,7 @@ where
     S: Shading<Color = Light> + Copy,
 {
     let (Some(instances), Some(scene)) = (instances(models, shading), scene()) else { return };
-    let Ok(mut frame) = Frame::<BinaryColor, Rows, _>::new(lent(bytes), any(), any()) else { return };
+    let Ok(mut frame) = Frame::<BinaryColor, Rows, _>::new(lent(bytes), side(), side()) else { return };
     let mut light = Dithered::new(&mut frame, Levels::ONE_BIT);
     keep(draw_scene(&instances, &scene, memory, &mut light).is_ok());
 }
@@ -111,7 +111,7 @@ where
     S: Shading<Color = Light> + Copy,
 {
     let (Some(instances), Some(scene)) = (instances(models, shading), scene()) else { return };
-    let Ok(mut frame) = Frame::<BinaryColor, Rows, _>::new(lent(bytes), any(), any()) else { return };
+    let Ok(mut frame) = Frame::<BinaryColor, Rows, _>::new(lent(bytes), side(), side()) else { return };
     let mut light = Dithered::new(&mut frame, Levels::ONE_BIT);
     let mut memory = memory.lend();
     memory.vertices = lent(memory.vertices);
@@ -143,7 +143,7 @@ fn draw_made_up_tree(memory: &mut Memory) {
 
 fn tree_drawn(mesh: Mesh<'_>, tree: Tree<'_>, vertices: &mut [MeshVertex], bytes: &mut [u8]) {
     let Some(scene) = scene() else { return };
-    let Ok(mut frame) = Frame::<Light, Words, _>::new(lent(bytes), any(), any()) else { return };
+    let Ok(mut frame) = Frame::<Light, Words, _>::new(lent(bytes), side(), side()) else { return };
     let instance = Instance::new(mesh, any()).with_material(material(Gouraud));
     let mut workspace = Workspace { vertices: lent(vertices), hidden: &mut Convex };
     keep(draw_tree(&TreeInstance { instance, tree }, &scene, &mut workspace, &mut frame).is_ok());
@@ -152,7 +152,7 @@ fn tree_drawn(mesh: Mesh<'_>, tree: Tree<'_>, vertices: &mut [MeshVertex], bytes
 /// In object space, in lists of any length.
 fn draw_compared(memory: &mut Memory) {
     let (Some(instances), Some(scene)) = (instances(&mut memory.models, Gouraud), scene()) else { return };
-    let Ok(mut frame) = Frame::<Light, Words, _>::new(lent(&mut memory.bytes), any(), any()) else { return };
+    let Ok(mut frame) = Frame::<Light, Words, _>::new(lent(&mut memory.bytes), side(), side()) else { return };
     let memory = ObjectSpaceMemory {
         vertices: lent(&mut memory.vertices),
         faces: black_box(&mut memory.faces),
@@ -165,7 +165,7 @@ fn draw_compared(memory: &mut Memory) {
 /// By depth, in lists of any length.
 fn draw_sorted(memory: &mut Memory) {
     let (Some(instances), Some(scene)) = (instances(&mut memory.models, Gouraud), scene()) else { return };
-    let Ok(mut frame) = Frame::<Light, Words, _>::new(lent(&mut memory.bytes), any(), any()) else { return };
+    let Ok(mut frame) = Frame::<Light, Words, _>::new(lent(&mut memory.bytes), side(), side()) else { return };
     let memory = DepthSortMemory {
         vertices: lent(&mut memory.vertices),
         faces: black_box(&mut memory.faces),

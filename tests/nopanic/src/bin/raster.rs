@@ -27,7 +27,7 @@ use embedded_graphics::{
     transform::Transform,
 };
 use heapless::Vec;
-use nopanic::{any, keep, lent, part, text};
+use nopanic::{any, side, keep, lent, part, text};
 
 #[cortex_m_rt::entry]
 fn main() -> ! {
@@ -59,14 +59,14 @@ where
     D: StyledDrawable<S, Color = BinaryColor> + StyledDimensions<S>,
 {
     let mut bytes = [0; 64];
-    let Ok(mut frame) = Frame::<BinaryColor, Rows, _>::new(lent(&mut bytes), any(), any()) else { return };
+    let Ok(mut frame) = Frame::<BinaryColor, Rows, _>::new(lent(&mut bytes), side(), side()) else { return };
     keep(shape.draw_styled(style, &mut frame).is_ok());
     keep(shape.styled_bounding_box(style));
 }
 
 fn soft<D: StyledDrawable<AntialiasedStyle<Gray4>, Color = Alpha<Gray4>>>(shape: &D) {
     let mut bytes = [0; 64];
-    let Ok(mut frame) = Frame::<Gray4, Rows, _>::new(lent(&mut bytes), any(), any()) else { return };
+    let Ok(mut frame) = Frame::<Gray4, Rows, _>::new(lent(&mut bytes), side(), side()) else { return };
     let style = AntialiasedStyle::fill(Gray4::new(any())).with_stroke(Gray4::new(any()), any()).with_shape(stroke());
     let style = black_box(style.with_rule(black_box(Rule::NonZero)).with_curve(black_box(Default::default())));
     keep(shape.draw_styled(&style, &mut Blended::new(&mut frame)).is_ok());
@@ -263,7 +263,7 @@ fn triangles() {
 
 fn floods() {
     let (mut bytes, mut memory, mut queue) = ([0; 64], [0; 64], [Run::default(); 8]);
-    let Ok(mut frame) = Frame::<Gray4, Rows, _>::new(lent(&mut bytes), any(), any()) else { return };
+    let Ok(mut frame) = Frame::<Gray4, Rows, _>::new(lent(&mut bytes), side(), side()) else { return };
     keep((words_needed(any(), any()), frame.pixel(any())));
     let (color, by) = (Gray4::new(any()), black_box(Connectivity::Four));
     let region = if any() { Region::Boundary(any(), color) } else { Region::Flood(any()) };

@@ -7,7 +7,7 @@ use aquatint::{
     Typeface,
 };
 use embedded_graphics::{pixelcolor::Gray4, prelude::*, text::Alignment, transform::Transform};
-use nopanic::{any, keep, lent, one_of, part, text};
+use nopanic::{any, side, keep, lent, one_of, part, text};
 
 /// What a caller lends.
 struct Memory {
@@ -98,7 +98,7 @@ fn glyph_trace_fine(memory: &mut Memory) {
 }
 
 fn frame(bytes: &mut [u8]) -> Option<Frame<Gray4, Rows, &mut [u8]>> {
-    Frame::new(lent(bytes), any(), any()).ok()
+    Frame::new(lent(bytes), side(), side()).ok()
 }
 
 fn text_filled(memory: &mut Memory) {
