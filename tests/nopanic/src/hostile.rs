@@ -197,6 +197,12 @@ pub fn side() -> u32 {
     any::<u32>() & 0xFF
 }
 
+/// What a sink takes, which is as large as a picture may be.
+pub fn window() -> Rect {
+    let Rect { left, top, right, bottom } = any();
+    Rect::new(left.max(-300), top.max(-300), right.min(300), bottom.min(300))
+}
+
 /// Any text.
 #[inline(never)]
 pub fn text() -> &'static str {

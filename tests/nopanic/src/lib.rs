@@ -23,6 +23,7 @@ mod opaque;
 #[cfg(feature = "run")]
 mod run;
 pub mod scenes;
+pub mod shapes;
 
 use core::{hint::black_box, ops::Range};
 
@@ -34,9 +35,9 @@ use embedded_graphics::{
 
 pub use endless::{Endless, endless};
 #[cfg(feature = "run")]
-pub use hostile::{lent, one_of, part, side, some, text, view_and_lens};
+pub use hostile::{lent, one_of, part, side, some, text, view_and_lens, window};
 #[cfg(not(feature = "run"))]
-pub use opaque::{call, end, lent, one_of, part, side, some, text, view_and_lens};
+pub use opaque::{call, end, lent, one_of, part, side, some, text, view_and_lens, window};
 #[cfg(feature = "run")]
 pub use run::{call, end};
 
@@ -122,12 +123,12 @@ impl<A, B> Any for Matrix<A, B> {
     }
 }
 
-/// Any columns that do not begin very far to the left.
+/// Any columns that do not reach very far out of the picture.
 ///
-/// Who gives a colour for each pixel gives those to the left of the picture, too, and that takes time.
+/// Who gives a colour for each pixel gives those beside the picture, too, and that takes time.
 #[inline(always)]
 pub fn near() -> Range<i32> {
-    any::<i32>().max(-4000)..any()
+    any::<i32>().max(-4000)..any::<i32>().min(4000)
 }
 
 /// Any place and size, in which points can be counted through.

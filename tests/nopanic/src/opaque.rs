@@ -119,6 +119,12 @@ pub fn side() -> u32 {
     any()
 }
 
+/// Any bounds of a sink.
+#[inline(always)]
+pub fn window() -> Rect {
+    any()
+}
+
 /// Any text.
 #[inline(always)]
 pub fn text() -> &'static str {
