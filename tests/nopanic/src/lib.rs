@@ -44,10 +44,14 @@ pub use run::{call, end};
 /// The program: its memory as it begins, and its entries in the order of the table.
 ///
 /// An entry is a function that takes `&mut Memory`, or has a name of its own: `frame_rows = frame::<Rows>`.
-/// `.ci/stackbound.py` finds it as `entries::NAME::entry`.
+/// `.ci/stackbound.py` finds it as `entries::NAME::entry`. Each is called 300 times when the program is run, or as often
+/// as is said after the memory.
 #[macro_export]
 macro_rules! entries {
-    ($memory:expr; $($name:ident $(= $function:expr)?),* $(,)?) => {
+    (@ $name:ident) => { $name };
+    (@ $name:ident $function:expr) => { $function };
+    ($memory:expr; $($entries:tt)*) => { $crate::entries! { $memory, 300; $($entries)* } };
+    ($memory:expr, $rounds:expr; $($name:ident $(= $function:expr)?),* $(,)?) => {
         mod entries { $(
             pub mod $name {
                 #[allow(unused_imports, reason = "a program may import what its other entries need")]
@@ -63,12 +67,10 @@ macro_rules! entries {
         #[cortex_m_rt::entry]
         fn main() -> ! {
             static mut LENT: Memory = $memory;
-            $($crate::call(stringify!($name), entries::$name::entry, LENT);)*
+            $($crate::call(stringify!($name), entries::$name::entry, LENT, $rounds);)*
             $crate::end()
         }
     };
-    (@ $name:ident) => { $name };
-    (@ $name:ident $function:expr) => { $function };
 }
 
 /// What can be made of nothing that the compiler knows.

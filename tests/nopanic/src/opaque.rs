@@ -36,7 +36,7 @@ fn panic(_: &PanicInfo) -> ! {
 
 /// Calls an entry.
 #[inline(always)]
-pub fn call<M>(_: &str, entry: impl Fn(&mut M), memory: &mut M) {
+pub fn call<M>(_: &str, entry: impl Fn(&mut M), memory: &mut M, _: u32) {
     entry(black_box(memory));
 }
 

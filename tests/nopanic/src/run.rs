@@ -7,9 +7,6 @@ use crate::{
     hostile,
 };
 
-/// Calls of each entry.
-const ROUNDS: u32 = 300;
-
 unsafe extern "C" {
     /// The word after the stack's first, from cortex-m-rt's linker script.
     static _stack_start: u32;
@@ -18,18 +15,18 @@ unsafe extern "C" {
 /// Calls an entry with hostile values, many times, and prints what it used at most of the stack.
 ///
 /// The name is printed first, so that it is known which entry hangs.
-pub fn call<M>(name: &str, entry: fn(&mut M), memory: &mut M) {
+pub fn call<M>(name: &str, entry: fn(&mut M), memory: &mut M, rounds: u32) {
     semihosting::puts("entry ");
     semihosting::puts(name);
     semihosting::puts("\n");
-    report("used", deepest(entry, memory));
+    report("used", deepest(entry, memory, rounds));
 }
 
 /// Bytes of stack below this function's own.
 #[inline(never)]
-fn deepest<M>(entry: fn(&mut M), memory: &mut M) -> u32 {
+fn deepest<M>(entry: fn(&mut M), memory: &mut M, rounds: u32) -> u32 {
     stack::paint();
-    for round in 0..ROUNDS {
+    for round in 0..rounds {
         hostile::begin(round);
         black_box(entry)(memory);
     }

@@ -32,7 +32,7 @@ const MEMORY: Memory = Memory {
     edges: Vec::new(),
 };
 
-nopanic::entries! { MEMORY;
+nopanic::entries! { MEMORY, 100;
     scan_fill,
     scan_peak_edges,
     scan_contains,

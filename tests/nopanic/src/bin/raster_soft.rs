@@ -33,7 +33,7 @@ const MEMORY: Memory = Memory {
     cells: [Coverage::NONE; 64],
 };
 
-nopanic::entries! { MEMORY;
+nopanic::entries! { MEMORY, 60;
     area_fill,
     coverage_mask_fill,
     coverage_mask_spans,

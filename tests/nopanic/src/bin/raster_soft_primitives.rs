@@ -13,7 +13,7 @@ struct Memory {
 
 const MEMORY: Memory = Memory { bytes: [0; 2048], points: [Point::zero(); 8] };
 
-nopanic::entries! { MEMORY;
+nopanic::entries! { MEMORY, 60;
     soft_line = |memory: &mut Memory| soft(&primitives::Line::new(any(), any()), &mut memory.bytes),
     soft_ellipse = |memory: &mut Memory| soft(&primitives::Ellipse::new(any(), any()), &mut memory.bytes),
     soft_triangle = |memory: &mut Memory| soft(&primitives::Triangle::new(any(), any(), any()), &mut memory.bytes),

@@ -24,7 +24,7 @@ const MEMORY: Memory = Memory {
     lengths: [Subpixel::ZERO; 6],
 };
 
-nopanic::entries! { MEMORY;
+nopanic::entries! { MEMORY, 60;
     soft_polygon,
     soft_polyline,
     soft_oval,
