@@ -8,7 +8,6 @@ use aquatint::{
 };
 use embedded_graphics::{
     pixelcolor::{BinaryColor, Gray4},
-    prelude::*,
     primitives::{StyledDimensions, StyledDrawable},
 };
 
@@ -77,9 +76,7 @@ impl Any for Segment {
 /// Some segments; the first goes to a point, as it must.
 pub fn segments(memory: &mut [Segment; 8]) -> &[Segment] {
     crate::some(memory);
-    if let [first, ..] = memory {
-        *first = Segment::MoveTo(any());
-    }
+    memory[0] = Segment::MoveTo(any());
     crate::part(memory)
 }
 

@@ -21,7 +21,7 @@ use aquatint::{
 };
 use embedded_graphics::geometry::Point;
 use heapless::Vec;
-use nopanic::{Any, any, keep, lent, one_of, part, side, some};
+use nopanic::{Any, any, keep, lent, one_of, part, some};
 
 /// What a caller lends.
 struct Memory {

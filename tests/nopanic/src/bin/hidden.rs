@@ -127,7 +127,7 @@ fn choice() -> Choice {
 
 fn build_tree(memory: &mut Memory) {
     let list = Triangles::new(some(&mut memory.positions), some(&mut memory.triangles));
-    let mut arena = Arena::new(lent(&mut memory.nodes), lent(&mut memory.pieces), lent(&mut memory.cuts));
+    let arena = Arena::new(lent(&mut memory.nodes), lent(&mut memory.pieces), lent(&mut memory.cuts));
     keep(arena.build(list, choice()).is_ok());
 }
 

@@ -24,7 +24,7 @@ use heapless::Vec;
 use nopanic::{
     any, keep, lent, one_of,
     scenes::{Model, camera, material, scene, source},
-    some,
+    side, some,
 };
 
 /// What a caller lends.

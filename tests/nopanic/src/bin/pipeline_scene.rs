@@ -25,6 +25,7 @@ use heapless::Vec;
 use nopanic::{
     any, keep, lent, part,
     scenes::{Model, PAIR, built_tree, camera, material, scene},
+    side,
 };
 
 /// What a caller lends.
