@@ -98,7 +98,11 @@ macro_rules! any {
 
 any!(
     bool = below(2) == 0,
-    char = if is_wild() { char::from_u32(below(0x1_0000) << below(6)).unwrap_or('\0') } else { char::from(32 + below(96) as u8) },
+    char = if is_wild() {
+        char::from_u32(below(0x1_0000) << below(6)).unwrap_or('\0')
+    } else {
+        char::from(32 + below(96) as u8)
+    },
     i8 = word() as i8,
     u8 = if below(2) == 0 { word() as u8 } else { number(0, 9) as u8 },
     i16 = number(-20_000, 20_000) as i16,

@@ -3,8 +3,7 @@
 use core::{hint::black_box, panic::PanicInfo};
 
 use aquatint::{
-    Affine, Angle, Clip, Coverage, Light, Matrix, Point2, Rect, Scalar, Subpixel, View, World,
-    tone::xyz::Tristimulus,
+    Affine, Angle, Clip, Coverage, Light, Matrix, Point2, Rect, Scalar, Subpixel, View, World, tone::xyz::Tristimulus,
 };
 use embedded_graphics::{
     geometry::{Point, Size},

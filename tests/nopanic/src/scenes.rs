@@ -101,8 +101,7 @@ const PLACES: [[i16; 3]; 8] = [
     [5_000, -1_000, 12_000],
 ];
 
-const FACES: [[u16; 3]; 8] =
-    [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3], [4, 6, 5], [4, 5, 7], [4, 7, 6], [5, 6, 7]];
+const FACES: [[u16; 3]; 8] = [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3], [4, 6, 5], [4, 5, 7], [4, 7, 6], [5, 6, 7]];
 
 static BUILT: TreeArrays<'static, 64, 96, 96> = match TreeArrays::build(TRIANGLES, Choice::best_of(2)) {
     Ok(tree) => tree,

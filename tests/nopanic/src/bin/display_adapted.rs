@@ -27,8 +27,7 @@ struct Memory {
     changed: [Changed; 16],
 }
 
-const MEMORY: Memory =
-    Memory { bytes: [0; 4096], other: [0; 4096], bits: [0; 512], changed: [Changed::NOTHING; 16] };
+const MEMORY: Memory = Memory { bytes: [0; 4096], other: [0; 4096], bits: [0; 512], changed: [Changed::NOTHING; 16] };
 
 nopanic::entries! { MEMORY;
     window_rows = window::<BinaryColor, Rows>,
@@ -113,7 +112,10 @@ fn window<C: Coded, L: Layout<C>>(memory: &mut Memory) {
 
 fn turned<C: Coded, L: Layout<C>>(memory: &mut Memory) {
     let Some(mut frame) = frame::<C, L>(&mut memory.bytes) else { return };
-    let mut turned = Turned::new(&mut frame, one_of(&[Turn::Clockwise, Turn::Half, Turn::CounterClockwise, Turn::MirroredTopBottom]));
+    let mut turned = Turned::new(
+        &mut frame,
+        one_of(&[Turn::Clockwise, Turn::Half, Turn::CounterClockwise, Turn::MirroredTopBottom]),
+    );
     drawn_on(&mut turned);
     keep((turned.pixel(any()), turned.size()));
 }

@@ -106,17 +106,11 @@ where
     }
 }
 
-fn on_rows<'m>(
-    memory: &'m mut Memory,
-    call: impl FnOnce(Dithered<'_, 'static, Lent<'m, BinaryColor, Rows>>),
-) {
+fn on_rows<'m>(memory: &'m mut Memory, call: impl FnOnce(Dithered<'_, 'static, Lent<'m, BinaryColor, Rows>>)) {
     on(&mut memory.bytes, Levels::ONE_BIT, call);
 }
 
-fn on_pages<'m>(
-    memory: &'m mut Memory,
-    call: impl FnOnce(Dithered<'_, 'static, Lent<'m, BinaryColor, Pages>>),
-) {
+fn on_pages<'m>(memory: &'m mut Memory, call: impl FnOnce(Dithered<'_, 'static, Lent<'m, BinaryColor, Pages>>)) {
     on(&mut memory.bytes, Levels::ONE_BIT, call);
 }
 
@@ -272,11 +266,8 @@ fn rgb() -> Rgb888 {
     Rgb888::new(any(), any(), any())
 }
 
-fn quantised<C: Code, Q: Quantise<C, From = S>, S: PixelColor>(
-    quantiser: Q,
-    color: impl Fn() -> S,
-    memory: &mut Memory,
-) where
+fn quantised<C: Code, Q: Quantise<C, From = S>, S: PixelColor>(quantiser: Q, color: impl Fn() -> S, memory: &mut Memory)
+where
     Rows: Layout<C>,
 {
     let Ok(mut frame) = Lent::<C, Rows>::new(lent(&mut memory.bytes), side(), side()) else { return };

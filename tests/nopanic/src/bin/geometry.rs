@@ -285,7 +285,9 @@ impl Memory {
 
 fn mesh_with_assembly(memory: &mut Memory) {
     let assembly = Memory::assembly(&mut memory.counts, &mut memory.indices, &mut memory.triangles);
-    let Ok(mesh) = Mesh::with_assembly(some(&mut memory.positions), some(&mut memory.normals), assembly) else { return };
+    let Ok(mesh) = Mesh::with_assembly(some(&mut memory.positions), some(&mut memory.normals), assembly) else {
+        return;
+    };
     let Ok(mesh) = mesh.with_uv(some(&mut memory.uv)) else { return };
     let Ok(mesh) = mesh.with_lights(some(&mut memory.lights)) else { return };
     let Ok(mesh) = mesh.with_face_normals(some(&mut memory.face_normals)) else { return };

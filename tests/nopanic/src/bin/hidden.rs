@@ -17,7 +17,11 @@ use aquatint::{
     pipeline::{Finish, PixelRays, Raycast},
 };
 use heapless::Vec;
-use nopanic::{any, side, keep, lent, one_of, part, scenes::{built_tree, camera}, some};
+use nopanic::{
+    any, keep, lent, one_of, part,
+    scenes::{built_tree, camera},
+    side, some,
+};
 
 /// What a caller lends.
 struct Memory {

@@ -45,12 +45,7 @@ struct Drawing {
 }
 
 const MEMORY: Memory = Memory {
-    drawing: Drawing {
-        model: Model::NEW,
-        bytes: [0; 4096],
-        vertices: [MeshVertex::EMPTY; 12],
-        planes: Vec::new(),
-    },
+    drawing: Drawing { model: Model::NEW, bytes: [0; 4096], vertices: [MeshVertex::EMPTY; 12], planes: Vec::new() },
     places: [[0; 3]; 8],
     texels: [Light::BLACK; 16],
     depths_8: [0; 2048],

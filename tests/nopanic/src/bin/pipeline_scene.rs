@@ -16,8 +16,8 @@ use aquatint::{
     },
     model::mesh::Mesh,
     pipeline::{
-        DepthSortMemory, Instance, ListedFace, MeshVertex, ObjectSpaceMemory, Scanlines, SceneMemory, TreeInstance, Workspace,
-        draw_scene, draw_tree,
+        DepthSortMemory, Instance, ListedFace, MeshVertex, ObjectSpaceMemory, Scanlines, SceneMemory, TreeInstance,
+        Workspace, draw_scene, draw_tree,
     },
 };
 use embedded_graphics::pixelcolor::BinaryColor;

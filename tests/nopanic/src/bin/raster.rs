@@ -5,8 +5,8 @@
 use core::ops::Range;
 
 use aquatint::{
-    Circle, Connectivity, DdaLine, Ellipse, Flood, Frame, InPlace, Line, RampLine, Region, Rows, Stipple, StippledLine,
-    SpanFn, Triangle,
+    Circle, Connectivity, DdaLine, Ellipse, Flood, Frame, InPlace, Line, RampLine, Region, Rows, SpanFn, Stipple,
+    StippledLine, Triangle,
     cut::Cut,
     raster::flood::{Run, words_needed},
     vary::{Ramp, Vertex},
@@ -115,7 +115,10 @@ type Grey<'a> = Frame<Gray4, Rows, &'a mut [u8]>;
 /// A frame, and what else a flood is lent.
 fn lent_flood(memory: &mut Memory) -> Option<(Grey<'_>, Flood<'_>)> {
     let frame = Grey::new(lent(&mut memory.bytes), side(), side()).ok()?;
-    Some((frame, Flood::new(lent(&mut memory.visited), lent(full(&mut memory.queue))).with_connectivity(connectivity())))
+    Some((
+        frame,
+        Flood::new(lent(&mut memory.visited), lent(full(&mut memory.queue))).with_connectivity(connectivity()),
+    ))
 }
 
 fn connectivity() -> Connectivity {

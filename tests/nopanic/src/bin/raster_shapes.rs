@@ -7,7 +7,11 @@ use aquatint::{
     Stroked, Subpixel, SvgPath, curve,
     raster::scan::{self, ActiveEdge},
 };
-use embedded_graphics::{prelude::*, primitives::{ContainsPoint, StyledDimensions}, transform::Transform};
+use embedded_graphics::{
+    prelude::*,
+    primitives::{ContainsPoint, StyledDimensions},
+    transform::Transform,
+};
 use heapless::Vec;
 use nopanic::{
     any, keep, part,

@@ -7,7 +7,7 @@ use aquatint::{
     Typeface,
 };
 use embedded_graphics::{pixelcolor::Gray4, prelude::*, text::Alignment, transform::Transform};
-use nopanic::{any, side, keep, lent, one_of, part, text};
+use nopanic::{any, keep, lent, one_of, part, side, text};
 
 /// What a caller lends.
 struct Memory {
