@@ -142,8 +142,6 @@ fn draw_made_up_tree(memory: &mut Memory) {
     }
 }
 
-/// Not inlined: where the library collects the cuts of a tree, that it cannot panic is seen only in one copy of it.
-#[inline(never)]
 fn tree_drawn(mesh: Mesh<'_>, tree: Tree<'_>, vertices: &mut [MeshVertex], bytes: &mut [u8]) {
     let Some(scene) = scene() else { return };
     let Ok(mut frame) = Frame::<Light, Words, _>::new(lent(bytes), side(), side()) else { return };
