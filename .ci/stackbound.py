@@ -1,15 +1,16 @@
 #!/usr/bin/env python3
 """The deepest that the stack of a Cortex-M firmware can get, from its disassembly.
 
-    .ci/stackbound.py ELF [--root FUNCTION] [--handler FUNCTION]...
+    .ci/stackbound.py ELF [--root FUNCTION]... [--handler FUNCTION]...
 
 A function's frame is what it pushes and takes off the stack pointer; the bound is the heaviest
 path of calls from the root (the reset handler), plus the heaviest of the interrupt handlers with
 the registers that the core stacks for it (one handler at a time: all have the same priority).
 Recursion and calls through pointers make the bound incomplete; both are named, and the exit
-code is then 1. The first line printed is the bound alone: `bound N`.
+code is then 1. The first line printed is the bound alone: `bound N`. With several roots there is a line
+`bound N FUNCTION` for each, and no path.
 
-Needs arm-none-eabi-objdump and Python 3 with its standard library.
+Needs binutils-arm-none-eabi and Python 3 with its standard library.
 """
 
 import argparse
@@ -20,6 +21,7 @@ import subprocess
 import sys
 
 OBJDUMP = "arm-none-eabi-objdump"
+NM = "arm-none-eabi-nm"
 
 # What the core stacks for an exception, with up to 4 bytes to align it: 8 words, and with a
 # floating-point unit room for 18 more.
@@ -47,6 +49,13 @@ class Function:
 def disassemble(elf):
     command = [OBJDUMP, "-d", "-C", "--no-show-raw-insn", elf]
     return subprocess.run(command, capture_output=True, text=True, check=True).stdout.splitlines()
+
+
+def addresses(elf):
+    """Where each function begins. Functions with the same code may be at the same address."""
+    lines = subprocess.run([NM, "-C", elf], capture_output=True, text=True, check=True).stdout.splitlines()
+    symbols = [line.split(" ", 2) for line in lines if line[0] != " "]
+    return {name: int(value, 16) & ~1 for value, kind, name in symbols if kind in "tTwW"}
 
 
 def pushed_words(registers):
@@ -151,33 +160,43 @@ class Walk:
 def arguments():
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
     parser.add_argument("elf")
-    parser.add_argument("--root", default="Reset")
+    parser.add_argument("--root", action="append", help="where calls begin (Reset)")
     parser.add_argument("--handler", action="append", default=[], help="an interrupt handler to add")
     return parser.parse_args()
 
 
+def print_bound(functions, found, extra):
+    """The bound of the only root, and how it comes about."""
+    print(f"bound {found[0] + extra[0]}")
+    for start in found[1]:
+        print(f"{functions[start].frame:6} {functions[start].name}")
+    if extra[0]:
+        print(f"{extra[0]:6} interrupt by {extra[1]}")
+
+
 def main():
     options = arguments()
+    roots = options.root or ["Reset"]
     if shutil.which(OBJDUMP) is None:
         sys.exit(f"stackbound: {OBJDUMP} is not installed; on Debian: apt-get install binutils-arm-none-eabi")
     lines = disassemble(options.elf)
     functions = read_functions(lines)
-    address = {function.name: start for start, function in functions.items()}
-    if missing := [name for name in (options.root, *options.handler) if name not in address]:
+    address = addresses(options.elf)
+    if missing := [name for name in (*roots, *options.handler) if address.get(name) not in functions]:
         sys.exit(f"stackbound: no function {missing[0]} in {options.elf}")
 
     floats = any("\tvldr" in line or "\tvmov" in line or "\tvpush" in line for line in lines)
     stacked = EXCEPTION_WITH_FLOATS if floats else EXCEPTION
     walk = Walk(functions)
-    bytes_of_root, path = walk.deepest(address[options.root])
+    found = {name: walk.deepest(address[name]) for name in roots}
     handlers = [(stacked + walk.deepest(address[name])[0], name) for name in options.handler]
     extra = max(handlers, default=(0, ""))
 
-    print(f"bound {bytes_of_root + extra[0]}")
-    for start in path:
-        print(f"{functions[start].frame:6} {functions[start].name}")
-    if extra[0]:
-        print(f"{extra[0]:6} interrupt by {extra[1]}")
+    if len(roots) == 1:
+        print_bound(functions, found[roots[0]], extra)
+    else:
+        for name, (depth, _) in found.items():
+            print(f"bound {depth + extra[0]} {name}")
     for what, names in ("recursion", walk.recursive), ("calls through pointers", walk.indirect()):
         print(f"{what}: {', '.join(sorted(names)) or 'none'}")
     return 1 if walk.recursive or walk.indirect() else 0

@@ -121,9 +121,12 @@ where
     if are_projected && side.is_none() {
         return Ok(());
     }
-    // There is room: a tree has been checked for that.
-    let cuts: Vec<Cut, MOST_CUTS> = cuts(tree, piece, surface).take(MOST_CUTS).collect();
-    let mut draw = |triangle: &_, piece: &_| fragments.draw_within(&cuts[..], surface, (triangle, piece));
+    // There is room: a tree has been checked for that. Not collected, for which the linker must see it.
+    let mut kept = Vec::<Cut, MOST_CUTS>::new();
+    for cut in cuts(tree, piece, surface).take(MOST_CUTS) {
+        let _ = kept.push(cut);
+    }
+    let mut draw = |triangle: &_, piece: &_| fragments.draw_within(&kept[..], surface, (triangle, piece));
     match side {
         Some(side) if are_projected => draw(&MeshTriangle { face, side }, &Piece::of_vertices(vertices)),
         _ => each_clipped(surface, face, &mut draw),

@@ -1,39 +1,76 @@
-//! Arguments of which the compiler knows nothing, and a panic handler that cannot be linked.
+//! Arguments of which the compiler knows nothing, or hostile ones, and what the programs in `bin` are made of.
 //!
-//! Each program in `bin` calls the public functions of one stage with such arguments. None is ever run: that it can be
-//! linked proves that no call can panic, whatever is passed to it.
+//! Each program calls the public entry points of one stage, and is used in two ways:
+//!
+//! - `.ci/nopanic` links it. The panic handler cannot be linked, so that it links proves that no call can panic,
+//!   whatever is passed to it. It is not run.
+//! - `.ci/stacks` builds it with the feature `run` and runs it on the emulated board. Each entry point is called many
+//!   times with hostile arguments, and what it used of the stack is printed.
+//!
+//! An entry is a function that makes arguments and calls one entry point of the library, or some that belong
+//! together. Whatever the caller of the library lends comes from the program's `Memory`, so that the stack that is
+//! measured is that of the call.
 #![no_std]
 
-use core::{hint::black_box, panic::PanicInfo};
+#[cfg(feature = "run")]
+#[path = "../../../examples/board/mod.rs"]
+mod board;
+mod endless;
+#[cfg(feature = "run")]
+mod hostile;
+#[cfg(not(feature = "run"))]
+mod opaque;
+#[cfg(feature = "run")]
+mod run;
+pub mod scenes;
+pub mod shapes;
 
-use aquatint::{
-    Affine, Angle, Coverage, Light, Matrix, Point2, Point3, Point4, Rect, Scalar, Subpixel, Vector3,
-    tone::xyz::Tristimulus,
-};
+use core::{hint::black_box, ops::Range};
+
+use aquatint::{Matrix, Point3, Point4, Scalar, Vector3};
 use embedded_graphics::{
     geometry::{Point, Size},
     primitives::Rectangle,
 };
 
-/// Whoever may panic calls this, which no one defines.
-#[cfg(not(feature = "report"))]
-unsafe extern "C" {
-    safe fn aquatint_panics_here() -> !;
-}
+pub use endless::{Endless, endless};
+#[cfg(feature = "run")]
+pub use hostile::{lent, one_of, part, side, some, text, view_and_lens, window};
+#[cfg(not(feature = "run"))]
+pub use opaque::{call, end, lent, one_of, part, side, some, text, view_and_lens, window};
+#[cfg(feature = "run")]
+pub use run::{call, end};
 
-/// Defined where the callers are to be listed.
-#[cfg(feature = "report")]
-#[unsafe(no_mangle)]
-#[inline(never)]
-extern "C" fn aquatint_panics_here() -> ! {
-    loop {
-        black_box(());
-    }
-}
+/// The program: its memory as it begins, and its entries in the order of the table.
+///
+/// An entry is a function that takes `&mut Memory`, or has a name of its own: `frame_rows = frame::<Rows>`.
+/// `.ci/stackbound.py` finds it as `entries::NAME::entry`. Each is called 300 times when the program is run, or as often
+/// as is said after the memory.
+#[macro_export]
+macro_rules! entries {
+    (@ $name:ident) => { $name };
+    (@ $name:ident $function:expr) => { $function };
+    ($memory:expr; $($entries:tt)*) => { $crate::entries! { $memory, 300; $($entries)* } };
+    ($memory:expr, $rounds:expr; $($name:ident $(= $function:expr)?),* $(,)?) => {
+        mod entries { $(
+            pub mod $name {
+                #[allow(unused_imports, reason = "a program may import what its other entries need")]
+                use super::super::*;
 
-#[panic_handler]
-fn panic(_: &PanicInfo) -> ! {
-    aquatint_panics_here()
+                #[inline(never)]
+                pub fn entry(memory: &mut Memory) {
+                    ($crate::entries!(@ $name $($function)?))(memory);
+                }
+            }
+        )* }
+
+        #[cortex_m_rt::entry]
+        fn main() -> ! {
+            static mut LENT: Memory = $memory;
+            $($crate::call(stringify!($name), entries::$name::entry, LENT, $rounds);)*
+            $crate::end()
+        }
+    };
 }
 
 /// What can be made of nothing that the compiler knows.
@@ -42,48 +79,11 @@ pub trait Any {
     fn any() -> Self;
 }
 
-/// Any value, as far as the compiler knows.
+/// Any value: opaque to the compiler, or hostile.
 #[inline(always)]
 pub fn any<T: Any>() -> T {
     T::any()
 }
-
-macro_rules! any {
-    ($($kind:ty = $value:expr),* $(,)?) => { $(
-        impl Any for $kind {
-            #[inline(always)]
-            fn any() -> Self {
-                black_box($value)
-            }
-        }
-    )* };
-}
-
-any!(
-    bool = false,
-    char = 'a',
-    i8 = 0,
-    u8 = 0,
-    i16 = 0,
-    u16 = 0,
-    i32 = 0,
-    u32 = 0,
-    i64 = 0,
-    u64 = 0,
-    usize = 0,
-    Affine = Affine::IDENTITY,
-    Angle = Angle(0),
-    Coverage = Coverage::NONE,
-    Light = Light::BLACK,
-    Point = Point::zero(),
-    Point2 = Point2::corner(0, 0),
-    Rect = Rect::new(0, 0, 0, 0),
-    Rectangle = Rectangle::zero(),
-    Scalar = Scalar::ZERO,
-    Size = Size::zero(),
-    Subpixel = Subpixel::ZERO,
-    Tristimulus = Tristimulus::ZERO,
-);
 
 impl<T: Any, const N: usize> Any for [T; N] {
     #[inline(always)]
@@ -113,28 +113,31 @@ macro_rules! any_in_space {
 
 any_in_space!(Point3(x, y, z), Vector3(x, y, z), Point4(x, y, z, w));
 
+/// The rows of any matrix.
+trait AnyRows {
+    fn any_rows() -> [[Scalar; 4]; 4];
+}
+
 impl<A, B> Any for Matrix<A, B> {
+    #[inline(always)]
     fn any() -> Self {
-        Self::from_rows(any())
+        Self::from_rows(<() as AnyRows>::any_rows())
     }
 }
 
-/// Memory of any length.
+/// Any columns that do not reach very far out of the picture.
+///
+/// Who gives a colour for each pixel gives those beside the picture, too, and that takes time.
 #[inline(always)]
-pub fn lent<T>(memory: &mut [T]) -> &mut [T] {
-    black_box(memory)
+pub fn near() -> Range<i32> {
+    any::<i32>().max(-4000)..any::<i32>().min(4000)
 }
 
-/// A slice of any length.
+/// Any place and size, in which points can be counted through.
 #[inline(always)]
-pub fn part<T>(of: &[T]) -> &[T] {
-    black_box(of)
-}
-
-/// Any text.
-#[inline(always)]
-pub fn text() -> &'static str {
-    black_box("")
+pub fn near_rectangle() -> Rectangle {
+    let [x, y] = any::<[i8; 2]>().map(i32::from);
+    Rectangle::new(Point::new(x, y), Size::new(any::<u8>().into(), any::<u8>().into()))
 }
 
 /// Keeps the compiler from leaving out what nobody asked for.

@@ -1,15 +1,14 @@
-//! Frames of every layout and depth: drawing, reading, blits, windows, turns, dirty windows, other byte orders.
+//! Frames of every layout and depth: drawing and reading.
 #![no_std]
 #![no_main]
 
-use core::{convert::Infallible, hint::black_box};
+use core::convert::Infallible;
 
 use aquatint::{
-    Blit, Changed, Columns, Dirty, FourColor, Frame, Grain, Inside, Inverted, Light, LsbFirst, MsbFirst, OnDrawTarget,
-    Pages, PerPixel, Planes, RasterOp, Rgb332, Rows, Runs, SevenColor, SixColor, Target, ThreeColor, Turn, Turned,
-    Window, Words,
+    Columns, FourColor, Frame, Inside, Inverted, Light, LsbFirst, MsbFirst, Pages, Planes, Rgb332, Rows, Runs,
+    SevenColor, SixColor, Target, ThreeColor, Words,
     display::{
-        blit::{Coded, Part},
+        blit::Coded,
         frame::Spacing,
         layout::{Layout, Shape},
         reencode,
@@ -21,181 +20,179 @@ use embedded_graphics::{
     pixelcolor::{BinaryColor, Gray2, Gray4, Gray8, Rgb565},
     prelude::*,
 };
-use nopanic::{any, keep, lent, part};
+use nopanic::{any, endless, keep, lent, near, near_rectangle, one_of, part, side, some};
 
-#[cortex_m_rt::entry]
-fn main() -> ! {
-    one_bit();
-    more_bits();
-    colours();
-    shape();
-    reencode();
-    transpose();
-    loop {}
+/// What a caller lends.
+struct Memory {
+    bytes: [u8; 4096],
+    other: [u8; 256],
 }
 
-fn one_bit() {
-    let color = black_box(BinaryColor::On);
-    everything::<_, Rows>(color);
-    everything::<_, Pages>(color);
-    everything::<_, Columns<LsbFirst>>(color);
-    frame::<_, Rows<LsbFirst>>(color);
-    frame::<_, Pages<MsbFirst>>(color);
-    frame::<_, Columns>(color);
-    frame::<_, Inverted<Rows>>(color);
-    frame::<_, Inverted<Pages>>(color);
-    masked::<BinaryColor, Rows>();
-    masked::<BinaryColor, Pages>();
-    masked::<Gray4, Rows>();
-}
+const MEMORY: Memory = Memory { bytes: [0; 4096], other: [0; 256] };
 
-fn more_bits() {
-    frame::<_, Rows>(black_box(Gray2::BLACK));
-    everything::<_, Planes>(black_box(Gray2::BLACK));
-    frame::<_, Inverted<Planes<LsbFirst>>>(black_box(Gray2::BLACK));
-    everything::<_, Rows>(black_box(Gray4::BLACK));
-    frame::<_, Rows<LsbFirst>>(black_box(Gray4::BLACK));
-    frame::<_, Rows>(black_box(Gray8::BLACK));
-}
-
-fn colours() {
-    everything::<_, Words>(any::<Light>());
-    frame::<_, Words<LsbFirst>>(black_box(Rgb565::BLACK));
-    frame::<_, Rows>(Rgb332::new(any(), any(), any()));
-    frame::<_, Planes>(black_box(ThreeColor::Black));
-    frame::<_, Rows>(black_box(FourColor::Black));
-    frame::<_, Rows>(black_box(SixColor::Black));
-    frame::<_, Rows>(black_box(SevenColor::Black));
+nopanic::entries! { MEMORY;
+    fill_run_rows = fill_run::<BinaryColor, Rows>,
+    fill_run_pages = fill_run::<BinaryColor, Pages>,
+    fill_run_columns = fill_run::<BinaryColor, Columns>,
+    fill_run_grey_2 = fill_run::<Gray2, Rows>,
+    fill_run_planes = fill_run::<Gray2, Planes>,
+    fill_run_grey_4 = fill_run::<Gray4, Rows>,
+    fill_run_grey_8 = fill_run::<Gray8, Rows>,
+    fill_run_light = fill_run::<Light, Words>,
+    write_run_rows = write_run::<BinaryColor, Rows>,
+    write_run_pages = write_run::<BinaryColor, Pages>,
+    write_run_columns = write_run::<BinaryColor, Columns>,
+    write_run_grey_2 = write_run::<Gray2, Rows>,
+    write_run_planes = write_run::<Gray2, Planes>,
+    write_run_grey_4 = write_run::<Gray4, Rows>,
+    write_run_grey_8 = write_run::<Gray8, Rows>,
+    write_run_light = write_run::<Light, Words>,
+    bits_rows = bits::<BinaryColor, Rows>,
+    bits_pages = bits::<BinaryColor, Pages>,
+    bits_columns = bits::<BinaryColor, Columns>,
+    bits_planes = bits::<Gray2, Planes>,
+    bits_grey_4 = bits::<Gray4, Rows>,
+    bits_light = bits::<Light, Words>,
+    fill_tile_rows = fill_tile::<BinaryColor, Rows>,
+    fill_tile_pages = fill_tile::<BinaryColor, Pages>,
+    fill_tile_planes = fill_tile::<Gray2, Planes>,
+    fill_tile_grey_4 = fill_tile::<Gray4, Rows>,
+    fill_tile_light = fill_tile::<Light, Words>,
+    draw_target_rows = draw_target::<BinaryColor, Rows>,
+    draw_target_pages = draw_target::<BinaryColor, Pages>,
+    draw_target_columns = draw_target::<BinaryColor, Columns>,
+    draw_target_planes = draw_target::<Gray2, Planes>,
+    draw_target_grey_4 = draw_target::<Gray4, Rows>,
+    draw_target_light = draw_target::<Light, Words>,
+    read_rows = read::<BinaryColor, Rows>,
+    read_pages = read::<BinaryColor, Pages>,
+    read_columns = read::<BinaryColor, Columns>,
+    read_planes = read::<Gray2, Planes>,
+    read_grey_4 = read::<Gray4, Rows>,
+    read_light = read::<Light, Words>,
+    everything_rows_lsb = everything::<BinaryColor, Rows<LsbFirst>>,
+    everything_pages_msb = everything::<BinaryColor, Pages<MsbFirst>>,
+    everything_columns_lsb = everything::<BinaryColor, Columns<LsbFirst>>,
+    everything_inverted_rows = everything::<BinaryColor, Inverted<Rows>>,
+    everything_inverted_pages = everything::<BinaryColor, Inverted<Pages>>,
+    everything_inverted_planes = everything::<Gray2, Inverted<Planes<LsbFirst>>>,
+    everything_grey_4_lsb = everything::<Gray4, Rows<LsbFirst>>,
+    everything_rgb565 = everything::<Rgb565, Words<LsbFirst>>,
+    everything_rgb332 = everything::<Rgb332, Rows>,
+    everything_three_colours = everything::<ThreeColor, Planes>,
+    everything_four_colours = everything::<FourColor, Rows>,
+    everything_six_colours = everything::<SixColor, Rows>,
+    everything_seven_colours = everything::<SevenColor, Rows>,
+    frame_new,
+    shape,
+    st7306_tiles,
+    it8951_words,
+    it8951_in_place,
+    rows_to_pages,
+    pages_to_rows,
 }
 
 type Lent<'a, C, L> = Frame<C, L, &'a mut [u8]>;
 
-/// Drawing and reading.
-#[inline(never)]
-fn frame<C: Coded + PartialEq, L: Layout<C>>(color: C) {
-    let mut bytes = [0; 512];
-    let Ok(mut frame) = Lent::<C, L>::new(lent(&mut bytes), any(), any()) else { return };
-    drawn_on(&mut frame, color);
+fn frame<C: Coded, L: Layout<C>>(memory: &mut Memory) -> Option<Lent<'_, C, L>> {
+    Lent::new(lent(&mut memory.bytes), side(), side()).ok()
+}
+
+fn color<C: Coded>() -> C {
+    C::from_number(any())
+}
+
+fn fill_run<C: Coded, L: Layout<C>>(memory: &mut Memory) {
+    let Some(mut frame) = frame::<C, L>(memory) else { return };
+    let Ok(()) = frame.fill_run(any(), any()..any(), [color()]);
+    let Ok(()) = frame.fill_run(any(), any()..any(), [color(), color(), color()]);
+    let Ok(()) = frame.fill_run(any(), any()..any(), [color(); 8]);
+    let Ok(()) = frame.set(any(), any(), color());
+}
+
+fn write_run<C: Coded, L: Layout<C>>(memory: &mut Memory) {
+    let Some(mut frame) = frame::<C, L>(memory) else { return };
+    let Ok(()) = frame.write_run(any(), near(), endless(|| any::<bool>().then(color)));
+    let Ok(()) = frame.write_all(any(), near(), endless(color));
+}
+
+fn bits<C: Coded, L: Layout<C>>(memory: &mut Memory) {
+    let Some(mut frame) = frame::<C, L>(memory) else { return };
+    let Ok(()) = frame.fill_bits(any(), any()..any(), [color(); 2], any());
+    let Ok(()) = frame.write_bits(any(), near(), [color(), color()], any::<u8>);
+}
+
+fn fill_tile<C: Coded, L: Layout<C>>(memory: &mut Memory) {
+    let Some(mut frame) = frame::<C, L>(memory) else { return };
+    let Ok(()) = frame.fill_tile(any(), &[[color(); 8]; 8]);
+}
+
+fn draw_target<C: Coded, L: Layout<C>>(memory: &mut Memory) {
+    if let Some(mut frame) = frame::<C, L>(memory) {
+        drawn(&mut frame);
+    }
+}
+
+fn drawn<C: Coded, T: DrawTarget<Color = C, Error = Infallible>>(target: &mut T) {
+    let Ok(()) = target.draw_iter([Pixel(any(), color()); 3]);
+    let Ok(()) = target.fill_solid(&any(), color());
+    let Ok(()) = target.fill_contiguous(&near_rectangle(), endless(color));
+    let Ok(()) = target.clear(color());
+}
+
+fn read<C: Coded + PartialEq, L: Layout<C>>(memory: &mut Memory) {
+    let Some(frame) = frame::<C, L>(memory) else { return };
     keep((frame.bytes(), frame.memory(), frame.plane(any()), frame.stride(), frame.size()));
     frame.lines().for_each(keep);
-    keep((frame.pixel(any()), frame.runs(any(), Inside::Like(color), any(), any())));
+    let inside = if any() { Inside::Like(color()) } else { Inside::Unlike(color()) };
+    keep((frame.pixel(any()), frame.runs(any(), inside, any(), any())));
 }
 
-/// All that a frame can do.
-#[inline(never)]
-fn everything<C: Coded + PartialEq, L: Layout<C>>(color: C) {
-    frame::<C, L>(color);
-    let mut bytes = [0; 512];
-    keep((Frame::<C, L, _>::with_array([0; 64], any(), any()).is_ok(), Frame::<C, L, ()>::bytes_needed(any(), any())));
-    keep(Frame::<C, L, _>::with_slice(part(&bytes), any(), any()).is_ok());
+/// In the layouts that differ little from one of the others.
+fn everything<C: Coded + PartialEq, L: Layout<C>>(memory: &mut Memory) {
+    fill_run::<C, L>(memory);
+    write_run::<C, L>(memory);
+    bits::<C, L>(memory);
+    fill_tile::<C, L>(memory);
+    draw_target::<C, L>(memory);
+    read::<C, L>(memory);
+}
+
+fn frame_new(memory: &mut Memory) {
+    keep(Frame::<Gray4, Rows, ()>::bytes_needed(any(), any()));
+    keep(Frame::<BinaryColor, Pages, _>::with_slice(some(&mut memory.other), any(), any()).is_ok());
     let spacing = Spacing { before: any(), stride: any() };
-    let Ok(mut frame) = Lent::<C, L>::with_spacing(lent(&mut bytes), any(), spacing) else { return };
-    keep(PerPixel::new(&mut frame).runs(any(), black_box(Inside::Unlike(color)), any(), any()));
-    adapted(&mut frame, color);
-    frame.copy_within(any(), any());
-    frame.scroll(any(), any(), color);
-    blits::<C, L>(&mut frame, color);
-    dirty::<C, L>(&mut frame, color);
+    keep(Lent::<Gray4, Rows>::with_spacing(lent(&mut memory.bytes), any(), spacing).is_ok());
 }
 
-/// As one of this crate's targets and as one of embedded-graphics.
-fn drawn_on<C: PixelColor, T>(target: &mut T, color: C)
-where
-    T: Target<Color = C, Error = Infallible> + DrawTarget<Color = C, Error = Infallible>,
-{
-    let Ok(()) = target.fill_run(any(), any()..any(), [color]);
-    let Ok(()) = target.fill_run(any(), any()..any(), [color, color, color]);
-    let Ok(()) = target.fill_run(any(), any()..any(), [color; 8]);
-    let Ok(()) = target.write_run(any(), any()..any(), core::iter::repeat_with(|| any::<bool>().then_some(color)));
-    let Ok(()) = target.write_all(any(), any()..any(), core::iter::repeat(color));
-    let Ok(()) = target.set(any(), any(), color);
-    let Ok(()) = target.fill_bits(any(), any()..any(), [color; 2], any());
-    let Ok(()) = target.write_bits(any(), any()..any(), [color; 2], any::<u8>);
-    let Ok(()) = target.fill_tile(any(), &black_box([[color; 8]; 8]));
-    let Ok(()) = target.draw_iter([Pixel(any(), color); 3]);
-    let Ok(()) = target.fill_solid(&any(), color);
-    let Ok(()) = target.fill_contiguous(&any(), core::iter::repeat_n(color, any()));
-    let Ok(()) = target.clear(color);
-}
-
-/// Seen through what changes places.
-fn adapted<C: PixelColor, L: Layout<C>>(frame: &mut Frame<C, L, &mut [u8]>, color: C) {
-    let mut window = Window::part(frame, any());
-    drawn_on(&mut window, color);
-    keep(window.pixel(any()));
-    let mut turned = Turned::new(frame, black_box(Turn::Half));
-    drawn_on(&mut turned, color);
-    keep((turned.pixel(any()), turned.size()));
-    let mut band = Window::band(frame, any());
-    let mut display = OnDrawTarget::new(&mut band);
-    drawn_on(&mut display, color);
-}
-
-fn blits<C: Coded, L: Layout<C>>(frame: &mut Frame<C, L, &mut [u8]>, color: C) {
-    let (source, op) = ([0; 64], black_box(RasterOp::Copy));
-    let Ok(source) = Frame::<C, L, _>::with_slice(part(&source), any(), any()) else { return };
-    frame.blit(&source, any(), op);
-    frame.blit(source.part(any()).part(any()), any(), op);
-    Window::part(frame, any()).blit(source.part(any()), any(), op);
-    paints::<_, _, Rows>(frame, color);
-    paints::<_, _, Pages>(frame, color);
-    paints::<_, _, Columns<LsbFirst>>(frame, color);
-}
-
-fn paints<C: Coded, L: Layout<C>, M: Layout<BinaryColor>>(frame: &mut Frame<C, L, &mut [u8]>, color: C) {
-    let bits = [0; 64];
-    let Ok(shape) = Frame::<BinaryColor, M, _>::with_slice(part(&bits), any(), any()) else { return };
-    frame.paint(&shape, any(), color);
-    Window::band(frame, any()).paint(Part::from(&shape).part(any()), any(), color);
-}
-
-fn masked<C: Coded, L: Layout<C> + Layout<BinaryColor>>() {
-    let (bits, mut bytes) = ([0; 64], [0; 64]);
-    let Ok(mask) = Frame::<BinaryColor, L, _>::with_slice(part(&bits), any(), any()) else { return };
-    let Ok(source) = Frame::<C, L, _>::with_slice(part(&bits), any(), any()) else { return };
-    let Ok(mut rows) = Frame::<C, L, _>::new(lent(&mut bytes), any(), any()) else { return };
-    rows.blit(source.part(any()).with_mask(&mask), any(), black_box(RasterOp::Copy));
-    Window::part(&mut rows, any()).blit(source.part(any()).with_mask(&mask), any(), black_box(RasterOp::Copy));
-}
-
-fn shape() {
+fn shape(_: &mut Memory) {
     let shape = Shape { is_vertical: any(), rows_per_line: any(), bits: any(), planes: any() };
     keep((shape.stride(any(), any()), shape.lines(any(), any())));
 }
 
-fn dirty<C: PixelColor, L: Layout<C>>(frame: &mut Frame<C, L, &mut [u8]>, color: C) {
-    let (mut entries, mut other) = ([Changed::NOTHING; 16], [0; 512]);
-    let mut dirty = Dirty::new(lent(&mut entries));
-    dirty.mark(frame, any());
-    let mut tracked = dirty.track(frame);
-    drawn_on(&mut tracked, color);
-    keep(tracked.pixel(any()));
-    let Ok(mut shown) = Frame::<C, L, _>::new(lent(&mut other), any(), any()) else { return };
-    dirty.compare(frame, &shown);
-    dirty.copy(frame, &mut shown);
-    keep((dirty.is_clean(), dirty.entries().iter().map(|entry| entry.bytes(any()).len()).max()));
-    let mut memory = [0; 64];
-    for window in dirty.windows(frame, Grain { columns: any(), rows: any(), overhead: any() }) {
-        let window = window.plane(any());
-        window.slices().for_each(keep);
-        keep((window.area(), window.byte_len(), window.contiguous(), window.copy_to(lent(&mut memory)).is_ok()));
-    }
-    dirty.clear();
-    dirty.mark_all();
-}
-
-fn reencode() {
-    let (rows, mut out) = ([0; 64], [0; 64]);
+fn st7306_tiles(memory: &mut Memory) {
     keep((reencode::st7306_bytes(any()), reencode::it8951_bytes(any())));
-    keep(reencode::st7306_tiles([part(&rows), part(&rows)], any(), lent(&mut out)));
-    keep(reencode::it8951_words(part(&rows), any(), lent(&mut out)));
-    reencode::it8951_in_place(lent(&mut out));
+    let rows = some(&mut memory.other);
+    keep(reencode::st7306_tiles([rows, part(rows)], any(), lent(&mut memory.bytes)));
 }
 
-fn transpose() {
-    let (rows, mut pages) = ([0; 64], [0; 64]);
-    let order = black_box(BitOrder::HighFirst);
-    let transpose = Transpose::new(any(), any()).with_orders(order, black_box(order));
-    keep(transpose.rows_to_pages(part(&rows), lent(&mut pages)));
-    keep(transpose.pages_to_rows(part(&rows), lent(&mut pages)));
+fn it8951_words(memory: &mut Memory) {
+    keep(reencode::it8951_words(some(&mut memory.other), any(), lent(&mut memory.bytes)));
+}
+
+fn it8951_in_place(memory: &mut Memory) {
+    reencode::it8951_in_place(lent(&mut memory.bytes));
+}
+
+fn transpose() -> Transpose {
+    let order = || one_of(&[BitOrder::HighFirst, BitOrder::LowFirst]);
+    Transpose::new(any(), any()).with_orders(order(), order())
+}
+
+fn rows_to_pages(memory: &mut Memory) {
+    keep(transpose().rows_to_pages(some(&mut memory.other), lent(&mut memory.bytes)));
+}
+
+fn pages_to_rows(memory: &mut Memory) {
+    keep(transpose().pages_to_rows(some(&mut memory.other), lent(&mut memory.bytes)));
 }

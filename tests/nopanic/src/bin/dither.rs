@@ -1,24 +1,18 @@
-//! From light to codes: dithering, halftones, diffusion, inks, scaling and font sheets.
+//! From light to codes: dithering, halftones, inks and font sheets.
 #![no_std]
 #![no_main]
 
-use core::{convert::Infallible, hint::black_box};
+use core::convert::Infallible;
 
 use aquatint::{
-    AlongCurve, BAYER_2X2, BAYER_4X4, BAYER_8X8, BAYER_16X16, BLUE_NOISE_16, BLUE_NOISE_64, ChannelLevels, Code,
-    CodeMask, Diffusion, Dithered, DitheredDrawTarget, DotGain, FourColor, Frame, FrameRateControl, GlyphSheet,
-    Hilbert, InkMix, Interleaved, Levels, Light, Pages, Palette, R2Noise, RankMask, Rgb332, Rows, Scaler, SevenColor,
-    SixColor, Target, ThreeColor, Window,
+    BAYER_2X2, BAYER_4X4, BAYER_8X8, BAYER_16X16, BLUE_NOISE_16, BLUE_NOISE_64, ChannelLevels, Code, CodeMask,
+    Dithered, DitheredDrawTarget, DotGain, FourColor, Frame, FrameRateControl, GlyphSheet, InkMix, Interleaved, Levels,
+    Light, Pages, Palette, R2Noise, RankMask, Rgb332, Rows, SevenColor, SixColor, Target, ThreeColor, Window,
     display::{
-        diffuse::{
-            Atkinson, Burkes, Carry, FloydSteinberg, JarvisJudiceNinke, Kernel, Riemersma, Scan, Sierra, SierraLite,
-            Stucki,
-        },
         dither::{self, Mask, Method, Quantise},
         halftone,
         layout::Layout,
         palette::{NOMINAL_4, NOMINAL_7, NOMINAL_RED, SPECTRA_6},
-        scale::Filter,
     },
 };
 use embedded_graphics::{
@@ -27,198 +21,277 @@ use embedded_graphics::{
     prelude::*,
     text::Baseline,
 };
-use nopanic::{any, keep, lent, part, text};
+use nopanic::{any, endless, keep, lent, near, near_rectangle, one_of, part, side, some, text};
 
-#[cortex_m_rt::entry]
-fn main() -> ! {
-    targets::<BinaryColor, Rows>(Levels::ONE_BIT);
-    targets::<BinaryColor, Pages>(Levels::ONE_BIT);
-    targets::<Gray4, Rows>(Levels::SRGB_16);
-    masks();
-    more_masks();
-    codes();
-    colours();
-    diffusions();
-    curves();
-    scale();
-    sheets();
-    loop {}
+/// What a caller lends.
+struct Memory {
+    bytes: [u8; 2048],
+    codes: [u8; 64],
+    steps: [u16; 16],
+    switches: [u16; 256],
+    sheet: [u8; 1024],
+    mask: CodeMask<8, 8>,
+}
+
+const MEMORY: Memory = Memory {
+    bytes: [0; 2048],
+    codes: [0; 64],
+    steps: [0; 16],
+    switches: [0; 256],
+    sheet: [0; 1024],
+    mask: CodeMask::srgb(&BAYER_8X8),
+};
+
+nopanic::entries! { MEMORY;
+    fill_area_rows = |memory: &mut Memory| on_rows(memory, fill_area),
+    fill_area_pages = |memory: &mut Memory| on_pages(memory, fill_area),
+    fill_area_grey = |memory: &mut Memory| on_grey(memory, fill_area),
+    fill_run_rows = |memory: &mut Memory| on_rows(memory, fill_run),
+    fill_run_pages = |memory: &mut Memory| on_pages(memory, fill_run),
+    fill_run_grey = |memory: &mut Memory| on_grey(memory, fill_run),
+    write_run_rows = |memory: &mut Memory| on_rows(memory, write_run),
+    write_run_pages = |memory: &mut Memory| on_pages(memory, write_run),
+    write_run_grey = |memory: &mut Memory| on_grey(memory, write_run),
+    set_rows = |memory: &mut Memory| on_rows(memory, set),
+    bits_rows = |memory: &mut Memory| on_rows(memory, bits),
+    bits_pages = |memory: &mut Memory| on_pages(memory, bits),
+    bits_grey = |memory: &mut Memory| on_grey(memory, bits),
+    fill_tile_rows = |memory: &mut Memory| on_rows(memory, fill_tile),
+    fill_tile_pages = |memory: &mut Memory| on_pages(memory, fill_tile),
+    fill_tile_grey = |memory: &mut Memory| on_grey(memory, fill_tile),
+    draw_target_rows = |memory: &mut Memory| on_rows(memory, draw_target),
+    draw_target_pages = |memory: &mut Memory| on_pages(memory, draw_target),
+    draw_target_grey = |memory: &mut Memory| on_grey(memory, draw_target),
+    band,
+    levels,
+    blue_noise,
+    r2_noise,
+    frame_rate_control,
+    interleaved,
+    interleaved_draw_target,
+    mask_bayer = |_: &mut Memory| asked(&BAYER_16X16),
+    mask_blue_noise = |_: &mut Memory| asked(one_of(&[&BLUE_NOISE_64])),
+    mask_hatch = |_: &mut Memory| asked(one_of(&[&dither::HATCH_8X8, &halftone::LINES_45_8X8])),
+    mask_dots = |_: &mut Memory| asked(one_of(&[&halftone::DOTS_45_6X6, &halftone::DOTS_6X6])),
+    mask_method = |_: &mut Memory| asked(&one_of(&[Method::Nearest, Method::Ordered4x4])),
+    mask_r2_noise = |_: &mut Memory| asked(&R2Noise),
+    mask_dot_gain,
+    rank_mask,
+    code_mask_write_rows,
+    code_mask_write_run,
+    code_mask_of_mask,
+    code_mask_with_curve,
+    rgb332 = |memory: &mut Memory| quantised::<Rgb332, _, Rgb888>(ChannelLevels::srgb::<Rgb332>(), rgb, memory),
+    ink_mix_red = |memory: &mut Memory| quantised::<ThreeColor, _, _>(InkMix::new(&NOMINAL_RED), rgb, memory),
+    ink_mix_4 = |memory: &mut Memory| quantised::<FourColor, _, _>(InkMix::new(&NOMINAL_4), rgb, memory),
+    ink_mix_6 = |memory: &mut Memory| quantised::<SixColor, _, _>(InkMix::new(&SPECTRA_6), rgb, memory),
+    ink_mix_7 = |memory: &mut Memory| {
+        quantised::<SevenColor, _, Rgb565>(InkMix::new(&NOMINAL_7), || rgb().into(), memory);
+    },
+    ink_mix_of_palette,
+    glyph_sheet_load,
+    glyph_sheet_draw,
 }
 
 type Lent<'a, C, L> = Frame<C, L, &'a mut [u8]>;
 
-/// What is in all ways of drawing the same.
-#[inline(never)]
-fn targets<C: Code, L: Layout<C>>(levels: Levels<'_>) {
-    let mut bytes = [0; 512];
-    let Ok(mut frame) = Lent::<C, L>::new(lent(&mut bytes), any(), any()) else { return };
-    dithered::<C, _>(&mut frame, levels, black_box(Method::Ordered4x4));
-    dithered::<C, _>(&mut frame, levels, &BAYER_8X8);
-    dithered::<C, _>(&mut frame, levels, R2Noise);
-    dithered::<C, _>(&mut Window::band(&mut frame, any()), levels, black_box(Method::Nearest));
-    if let Ok(frames) = FrameRateControl::new(any(), any()) {
-        dithered::<C, _>(&mut frame, levels, frames);
+/// On a frame that is dithered by the default method.
+fn on<'m, C, L>(bytes: &'m mut [u8], levels: Levels<'static>, call: impl FnOnce(Dithered<'_, 'static, Lent<'m, C, L>>))
+where
+    C: Code,
+    L: Layout<C>,
+{
+    if let Ok(mut frame) = Lent::<C, L>::new(lent(bytes), side(), side()) {
+        call(Dithered::new(&mut frame, levels));
     }
-    let mut fields = Interleaved::new(&mut frame, BAYER_4X4, any(), any());
-    dithered::<C, _>(&mut fields, levels, black_box(Method::Ordered4x4));
-    let color = C::from_code(any());
-    let Ok(()) = fields.draw_iter([Pixel(any(), color)]);
-    let Ok(()) = fields.fill_solid(&any(), color);
-    let Ok(()) = fields.fill_contiguous(&any(), core::iter::repeat(color));
 }
 
-fn dithered<C: Code, T>(target: &mut T, levels: Levels<'_>, mask: impl Mask)
+fn on_rows<'m>(memory: &'m mut Memory, call: impl FnOnce(Dithered<'_, 'static, Lent<'m, BinaryColor, Rows>>)) {
+    on(&mut memory.bytes, Levels::ONE_BIT, call);
+}
+
+fn on_pages<'m>(memory: &'m mut Memory, call: impl FnOnce(Dithered<'_, 'static, Lent<'m, BinaryColor, Pages>>)) {
+    on(&mut memory.bytes, Levels::ONE_BIT, call);
+}
+
+fn on_grey<'m>(memory: &'m mut Memory, call: impl FnOnce(Dithered<'_, 'static, Lent<'m, Gray4, Rows>>)) {
+    on(&mut memory.bytes, Levels::SRGB_16, call);
+}
+
+fn fill_area<T: Target<Color: Code>, M: Mask>(mut light: Dithered<'_, '_, T, M>) {
+    keep(light.fill_area(any(), any()).is_ok());
+}
+
+fn fill_run<T: Target<Color: Code>, M: Mask>(mut light: Dithered<'_, '_, T, M>) {
+    keep(light.fill_run(any(), any()..any(), [any::<Light>()]).is_ok());
+    keep(light.fill_run(any(), any()..any(), any::<[Light; 8]>()).is_ok());
+}
+
+fn write_run<T: Target<Color: Code>, M: Mask>(mut light: Dithered<'_, '_, T, M>) {
+    keep(light.write_run(any(), near(), endless(|| Some(any()))).is_ok());
+    keep(light.write_all(any(), near(), endless(any::<Light>)).is_ok());
+}
+
+fn set<T: Target<Color: Code>, M: Mask>(mut light: Dithered<'_, '_, T, M>) {
+    keep(light.set(any(), any(), any()).is_ok());
+}
+
+fn bits<T: Target<Color: Code>, M: Mask>(mut light: Dithered<'_, '_, T, M>) {
+    keep(light.fill_bits(any(), any()..any(), any(), any()).is_ok());
+    keep(light.write_bits(any(), near(), any(), any::<u8>).is_ok());
+}
+
+fn fill_tile<T: Target<Color: Code>, M: Mask>(mut light: Dithered<'_, '_, T, M>) {
+    keep(light.fill_tile(any(), &any()).is_ok());
+}
+
+fn grey() -> Gray8 {
+    Gray8::new(any())
+}
+
+fn draw_target<C: Code, T, M: Mask>(light: Dithered<'_, '_, T, M>)
+where
+    T: Target<Color = C, Error = Infallible> + DrawTarget<Color = C, Error = Infallible>,
+{
+    let mut display = light.into_draw_target::<Gray8>();
+    let Ok(()) = display.draw_iter([Pixel(any(), grey())]);
+    let Ok(()) = display.fill_solid(&any(), grey());
+    let Ok(()) = display.fill_contiguous(&near_rectangle(), endless(grey));
+}
+
+/// All that is done with light, by another mask.
+fn drawn<C: Code, T>(target: &mut T, levels: Levels<'_>, mask: impl Mask)
 where
     T: Target<Color = C, Error = Infallible> + DrawTarget<Color = C, Error = Infallible>,
 {
     let mut light = Dithered::new(target, levels).with_method(mask);
     let Ok(()) = light.fill_area(any(), any());
     let Ok(()) = light.fill_run(any(), any()..any(), [any::<Light>()]);
-    let Ok(()) = light.fill_run(any(), any()..any(), any::<[Light; 8]>());
-    let Ok(()) = light.write_run(any(), any()..any(), core::iter::repeat_with(|| Some(any())));
-    let Ok(()) = light.write_all(any(), any()..any(), core::iter::repeat_with(any::<Light>));
-    let Ok(()) = light.set(any(), any(), any());
-    let Ok(()) = light.fill_bits(any(), any()..any(), any(), any());
-    let Ok(()) = light.write_bits(any(), any()..any(), any(), any::<u8>);
-    let Ok(()) = light.fill_tile(any(), &any());
-    let mut grey = light.into_draw_target::<Gray8>();
-    let Ok(()) = grey.draw_iter([Pixel(any(), Gray8::new(any()))]);
-    let Ok(()) = grey.fill_solid(&any(), Gray8::new(any()));
-    let Ok(()) = grey.fill_contiguous(&any(), core::iter::repeat_with(|| Gray8::new(any())));
+    let Ok(()) = light.write_all(any(), near(), endless(any::<Light>));
+    draw_target(light);
+}
+
+fn frame(bytes: &mut [u8]) -> Option<Lent<'_, Gray4, Rows>> {
+    Lent::new(lent(bytes), side(), side()).ok()
+}
+
+fn band(memory: &mut Memory) {
+    let Some(mut frame) = frame(&mut memory.bytes) else { return };
+    drawn(&mut Window::band(&mut frame, any()), Levels::SRGB_16, Method::Nearest);
+}
+
+fn levels(memory: &mut Memory) {
+    let Ok(mut frame) = Lent::<Gray2, Rows>::new(lent(&mut memory.bytes), side(), side()) else { return };
+    // They must rise.
+    some(&mut memory.steps);
+    memory.steps.iter_mut().zip(0..).for_each(|(light, n)| *light = *light % 4096 + 4096 * n);
+    if let Ok(levels) = Levels::new(part(&memory.steps)) {
+        keep(levels.light(any()));
+        drawn(&mut frame, levels, Method::Ordered4x4);
+    }
+}
+
+fn blue_noise(memory: &mut Memory) {
+    let Some(mut frame) = frame(&mut memory.bytes) else { return };
+    drawn(&mut frame, Levels::SRGB_16, BLUE_NOISE_16);
+}
+
+fn r2_noise(memory: &mut Memory) {
+    let Some(mut frame) = frame(&mut memory.bytes) else { return };
+    drawn(&mut frame, Levels::SRGB_16, R2Noise);
+}
+
+fn frame_rate_control(memory: &mut Memory) {
+    let Some(mut frame) = frame(&mut memory.bytes) else { return };
+    if let Ok(frames) = FrameRateControl::new(1 << (any::<u8>() & 3), any()) {
+        drawn(&mut frame, Levels::SRGB_16, frames);
+    }
+}
+
+fn interleaved(memory: &mut Memory) {
+    let Some(mut frame) = frame(&mut memory.bytes) else { return };
+    drawn(&mut Interleaved::new(&mut frame, BAYER_4X4, any(), any()), Levels::SRGB_16, &BAYER_8X8);
+}
+
+fn interleaved_draw_target(memory: &mut Memory) {
+    let Some(mut frame) = frame(&mut memory.bytes) else { return };
+    let mut fields = Interleaved::new(&mut frame, BAYER_4X4, any(), any());
+    let Ok(()) = fields.draw_iter([Pixel(any(), Gray4::new(any()))]);
+    let Ok(()) = fields.fill_solid(&any(), Gray4::new(any()));
+    let Ok(()) = fields.fill_contiguous(&near_rectangle(), endless(|| Gray4::new(any())));
 }
 
 /// Of any mask: one cell, one row, eight cells.
 fn asked(mask: &impl Mask) {
     keep((mask.threshold(any(), any()), mask.eight(any()), mask.row(any(), any()).next()));
-    keep(mask.row(any(), any()).nth(any()));
+    keep(mask.row(any(), any()).nth(any::<usize>() & 0xFFFF));
 }
 
-fn masks() {
-    asked(black_box(&BAYER_2X2));
-    asked(black_box(&BAYER_4X4));
-    asked(black_box(&BAYER_16X16));
-    asked(black_box(&BLUE_NOISE_16));
-    asked(black_box(&BLUE_NOISE_64));
-    asked(black_box(&dither::HATCH_8X8));
-    asked(black_box(&dither::CROSS_HATCH_16X16));
-    asked(black_box(&halftone::DOTS_45_6X6));
-    asked(black_box(&halftone::LINES_45_8X8));
-    asked(&black_box(Method::Ordered4x4));
-    asked(&R2Noise);
-}
-
-fn more_masks() {
-    let ranks = [0; 64];
-    if let Ok(mask) = RankMask::<5, 3>::new(part(&ranks)) {
-        asked(&mask);
-    }
+fn mask_dot_gain(_: &mut Memory) {
     if let Ok(mask) = DotGain::new(BAYER_4X4, any()) {
         asked(&mask);
     }
-    let lights = [0; 32];
-    if let Ok(levels) = Levels::new(part(&lights)) {
-        keep(levels.light(any()));
-        targets::<Gray2, Rows>(levels);
-    }
 }
 
-fn codes() {
-    static MASK: CodeMask<8, 8> = CodeMask::srgb(&BAYER_8X8);
-    let (codes, mut bytes) = ([0; 64], [0; 64]);
-    let Ok(mut frame) = Lent::<BinaryColor, Rows>::new(lent(&mut bytes), any(), any()) else { return };
-    for mask in [MASK, CodeMask::naive(&BAYER_8X8), CodeMask::of_mask(&R2Noise, &any())] {
-        mask.write_rows(&mut frame, any(), part(&codes));
-        keep((mask.write_run(&mut frame, any(), part(&codes)), mask.switch_codes()[0]));
+fn rank_mask(memory: &mut Memory) {
+    if let Ok(mask) = RankMask::<5, 3>::new(some(&mut memory.codes)) {
+        asked(&mask);
     }
-    CodeMask::with_curve(&DOTS, &any()).write_rows(&mut frame, any(), part(&codes));
+    // A constant's ranks are even.
+    asked(one_of(&[&BAYER_2X2]));
 }
 
-const DOTS: RankMask<'static, 6, 6> = halftone::DOTS_6X6;
+fn code_mask_write_rows(memory: &mut Memory) {
+    let Ok(mut frame) = Lent::<BinaryColor, Rows>::new(lent(&mut memory.bytes), side(), side()) else { return };
+    memory.mask.write_rows(&mut frame, any(), some(&mut memory.codes));
+}
 
-fn colours() {
-    quantised::<Rgb332, _, Rgb888>(ChannelLevels::<Rgb888>::srgb::<Rgb332>(), rgb);
-    quantised::<ThreeColor, _, Rgb888>(InkMix::new(&NOMINAL_RED), rgb);
-    quantised::<FourColor, _, Rgb888>(InkMix::new(&NOMINAL_4), rgb);
-    quantised::<SixColor, _, Rgb888>(InkMix::new(&SPECTRA_6), rgb);
-    quantised::<SevenColor, _, Rgb565>(InkMix::new(&NOMINAL_7), || rgb().into());
-    let palette = Palette::new([(SixColor::Black, any()), (SixColor::White, any()), (SixColor::Red, any())]);
-    quantised::<SixColor, _, Rgb888>(InkMix::new(&palette), rgb);
+fn code_mask_write_run(memory: &mut Memory) {
+    let Ok(mut frame) = Lent::<BinaryColor, Rows>::new(lent(&mut memory.bytes), side(), side()) else { return };
+    keep(memory.mask.write_run(&mut frame, any(), some(&mut memory.codes)));
+}
+
+fn code_mask_of_mask(memory: &mut Memory) {
+    some(&mut memory.switches);
+    memory.mask = CodeMask::of_mask(&R2Noise, &memory.switches);
+    keep(memory.mask.switch_codes());
+}
+
+fn code_mask_with_curve(memory: &mut Memory) {
+    some(&mut memory.switches);
+    memory.mask = CodeMask::with_curve(&BAYER_8X8, &memory.switches);
 }
 
 fn rgb() -> Rgb888 {
     Rgb888::new(any(), any(), any())
 }
 
-fn quantised<C: Code, Q: Quantise<C, From = S>, S: PixelColor>(quantiser: Q, color: fn() -> S)
+fn quantised<C: Code, Q: Quantise<C, From = S>, S: PixelColor>(quantiser: Q, color: impl Fn() -> S, memory: &mut Memory)
 where
     Rows: Layout<C>,
 {
-    let mut bytes = [0; 64];
-    let Ok(mut frame) = Lent::<C, Rows>::new(lent(&mut bytes), any(), any()) else { return };
+    let Ok(mut frame) = Lent::<C, Rows>::new(lent(&mut memory.bytes), side(), side()) else { return };
     let mut display = DitheredDrawTarget::new(&mut frame, quantiser, BLUE_NOISE_16);
     let Ok(()) = display.draw_iter([Pixel(any(), color())]);
     let Ok(()) = display.fill_solid(&any(), color());
-    let Ok(()) = display.fill_contiguous(&any(), core::iter::repeat_with(color));
+    let Ok(()) = display.fill_contiguous(&near_rectangle(), endless(color));
 }
 
-fn diffusions() {
-    diffused::<FloydSteinberg>();
-    diffused::<SierraLite>();
-    diffused::<Sierra>();
-    diffused::<Burkes>();
-    diffused::<JarvisJudiceNinke>();
-    diffused::<Stucki>();
-    diffused::<Atkinson>();
+fn ink_mix_of_palette(memory: &mut Memory) {
+    let palette = Palette::new([(SixColor::Black, any()), (SixColor::White, any()), (SixColor::Red, any())]);
+    quantised::<SixColor, _, Rgb888>(InkMix::new(&palette), rgb, memory);
 }
 
-fn diffused<K: Kernel>() {
-    let (mut bits, mut greys, photo, mut memory) = ([0; 64], [0; 64], [0; 64], [0; 64]);
-    let Ok(mut bits) = Lent::<BinaryColor, Rows>::new(lent(&mut bits), any(), any()) else { return };
-    let Ok(mut greys) = Lent::<Gray4, Rows>::new(lent(&mut greys), any(), any()) else { return };
-    let Ok(photo) = Frame::<Gray8, Rows, _>::with_slice(part(&photo), any(), any()) else { return };
-    keep(Diffusion::<K>::memory_needed(any()));
-    let Ok(diffusion) = Diffusion::<K>::new(lent(&mut memory), any(), Levels::SRGB_16) else { return };
-    let mut diffusion = diffusion.with_scan(black_box(Scan::Serpentine));
-    let lights = [any::<Light>(); 16];
-    let Ok(()) = diffusion.draw_row(&mut bits, any(), part(&lights).iter().copied());
-    let Ok(()) = diffusion.draw_row(&mut greys, any(), part(&lights).iter().copied());
-    diffusion.draw_packed_row(&mut bits, any(), part(&lights).iter().copied());
-    diffusion.restart();
-    let Ok(()) = diffusion.draw_picture(&mut greys, any(), &photo);
-    let mut cells = [0; 64];
-    if let Ok(mut scaler) = Scaler::new(lent(&mut cells), any(), any(), black_box(Filter::Area)) {
-        let Ok(()) = diffusion.draw_scaled(&mut greys, any(), (&photo, &mut scaler));
-    }
+const FONT: &MonoFont = &FONT_6X10;
+
+fn glyph_sheet_load(memory: &mut Memory) {
+    keep(GlyphSheet::<Rows, _>::load(FONT, lent(&mut memory.sheet)).is_ok());
+    keep(GlyphSheet::<Pages, ()>::bytes_needed(FONT));
 }
 
-fn curves() {
-    let mut bytes = [0; 64];
-    let Ok(mut frame) = Lent::<Gray4, Rows>::new(lent(&mut bytes), any(), any()) else { return };
-    let Ok(()) = AlongCurve::<Riemersma>::new(Levels::SRGB_16).draw(&mut frame, any(), |_| any());
-    let Ok(()) = AlongCurve::<Carry>::new(Levels::SRGB_16).draw(&mut frame, any(), |_| any());
-    Hilbert::new(any()).for_each(keep);
-}
-
-fn scale() {
-    let (mut cells, lights) = ([0; 64], [any::<Light>(); 16]);
-    keep(Scaler::memory_needed(any()));
-    let Ok(mut scaler) = Scaler::new(lent(&mut cells), any(), any(), black_box(Filter::Area)) else { return };
-    scaler.restart();
-    let Ok(()) = scaler.push(part(&lights).iter().copied(), |row, lights| {
-        keep((row, lights.len()));
-        lights.clone().rev().for_each(keep);
-        lights.for_each(keep);
-        Ok::<(), Infallible>(())
-    });
-    keep((scaler.from(), scaler.to()));
-}
-
-fn sheets() {
-    let (mut memory, mut bytes) = ([0; 1024], [0; 64]);
-    let font: &MonoFont = &FONT_6X10;
-    let Ok(sheet) = GlyphSheet::<Rows, _>::load(font, lent(&mut memory)) else { return };
-    let sheet = sheet.with_baseline(black_box(Baseline::Top));
-    let Ok(mut frame) = Lent::<Gray4, Rows>::new(lent(&mut bytes), any(), any()) else { return };
+fn glyph_sheet_draw(memory: &mut Memory) {
+    let Ok(sheet) = GlyphSheet::<Rows, _>::load(FONT, lent(&mut memory.sheet)) else { return };
+    let sheet = sheet.with_baseline(one_of(&[Baseline::Top, Baseline::Alphabetic, Baseline::Bottom]));
+    let Some(mut frame) = frame(&mut memory.bytes) else { return };
     keep((sheet.draw(&mut frame, text(), any(), Gray4::new(any())), sheet.glyph(any()).is_some()));
-    keep(GlyphSheet::<Pages, ()>::bytes_needed(black_box(font)));
 }

@@ -2,8 +2,6 @@
 #![no_std]
 #![no_main]
 
-use core::hint::black_box;
-
 use aquatint::{
     Alpha, Blend, BlendMode, Blended, Brush, Code, Coverage, CoverageCurve, Covered, Exposure, Extend, Frame, Ink,
     Light, LinearGradient, OnBackground, Pattern, PictureInk, RadialGradient, Rgb332, Rows, Sampler, Sink, Stencil,
@@ -19,109 +17,197 @@ use embedded_graphics::{
     pixelcolor::{BinaryColor, Gray4, Gray8, Rgb565},
     prelude::*,
 };
-use nopanic::{any, keep, lent, part};
+use nopanic::{any, endless, keep, lent, near, near_rectangle, one_of, side, some};
 
-#[cortex_m_rt::entry]
-fn main() -> ! {
-    inks();
-    blended(black_box(BinaryColor::On));
-    blended(Gray4::new(any()));
-    blended(Rgb332::new(any(), any(), any()));
-    light();
-    textures();
-    exposure();
-    bands();
-    loop {}
+/// What a caller lends.
+struct Memory {
+    bytes: [u8; 4096],
+    picture: [u8; 4096],
+    lights: [Light; 16],
+    texels: [u8; 64],
+    coverages: [Coverage; 48],
+}
+
+const MEMORY: Memory = Memory {
+    bytes: [0; 4096],
+    picture: [0; 4096],
+    lights: [Light::BLACK; 16],
+    texels: [0; 64],
+    coverages: [Coverage::NONE; 48],
+};
+
+nopanic::entries! { MEMORY;
+    plain_ink = |memory: &mut Memory| inked(any::<Light>(), &mut memory.bytes),
+    linear_gradient,
+    radial_gradient,
+    pattern = |memory: &mut Memory| inked(Pattern::new(any::<[[Light; 5]; 3]>()).anchored(any()), &mut memory.bytes),
+    pattern_8x8 = |memory: &mut Memory| inked(Pattern::new(any::<[[Light; 8]; 8]>()), &mut memory.bytes),
+    pattern_from_bits,
+    stencil,
+    picture_ink_once,
+    picture_ink_tiled,
+    on_background_bits = |memory: &mut Memory| on_background(bit(), memory),
+    on_background_grey = |memory: &mut Memory| on_background(Gray4::new(any()), memory),
+    on_background_rgb332 = |memory: &mut Memory| on_background(rgb(), memory),
+    blended_bits = |memory: &mut Memory| blended(bit(), memory),
+    blended_grey = |memory: &mut Memory| blended(Gray4::new(any()), memory),
+    blended_rgb332 = |memory: &mut Memory| blended(rgb(), memory),
+    brush_bits = |memory: &mut Memory| brushed(bit(), memory),
+    brush_grey = |memory: &mut Memory| brushed(Gray4::new(any()), memory),
+    brush_rgb332 = |memory: &mut Memory| brushed(rgb(), memory),
+    brush_light,
+    blend,
+    texture_of_two_lights = |memory: &mut Memory| textured(&texture::BLACK_AND_WHITE, memory),
+    texture_srgb_4 = |memory: &mut Memory| textured(&texture::SRGB_4, memory),
+    texture_srgb_16 = |memory: &mut Memory| textured(&texture::SRGB_16, memory),
+    texture_srgb = |memory: &mut Memory| textured(texture::Srgb, memory),
+    texture_bilinear,
+    light_texture,
+    light_texture_bilinear,
+    exposure_add,
+    exposure_show,
+    bands,
 }
 
 type Lent<'a, C> = Frame<C, Rows, &'a mut [u8]>;
 type Lights<'a> = Frame<Light, Words, &'a mut [u8]>;
 
-fn inked<I: Ink<Color = Light>>(ink: I) {
-    let mut bytes = [0; 64];
-    let Ok(mut frame) = Lights::new(lent(&mut bytes), any(), any()) else { return };
-    let Ok(()) = ink.fill(&mut frame, any(), any()..any());
-    let Ok(()) = Brush::new(&mut frame, ink).span(any(), any()..any(), ());
+fn bit() -> BinaryColor {
+    BinaryColor::from(any::<bool>())
 }
 
-fn inks() {
-    inked(any::<Light>());
-    let extend = black_box(Extend::Pad);
-    inked(LinearGradient::new(any(), any(), between(any(), any())).with_extend(extend));
-    inked(RadialGradient::new(any(), any(), between(any(), any())).with_extend(extend));
-    inked(Pattern::new(any::<[[Light; 5]; 3]>()).anchored(any()));
-    inked(Pattern::new(any::<[[Light; 8]; 8]>()));
-    inked(Pattern::from_bits(black_box(hatch::BRICKS), any(), any()).anchored(any()));
-    inked(Stencil::new(black_box(hatch::DOTS), any()).anchored(any()));
-    let photo = [0; 64];
-    let Ok(photo) = Frame::<Light, Words, _>::with_slice(part(&photo), any(), any()) else { return };
-    inked(PictureInk::once(&photo).anchored(any()));
-    inked(PictureInk::tiled(&photo).anchored(any()));
+fn rgb() -> Rgb332 {
+    Rgb332::new(any(), any(), any())
 }
 
-fn blended<C: Code + Blend>(color: C) {
-    let (mut bytes, parts) = ([0; 64], [any::<Coverage>(); 8]);
-    let Ok(mut frame) = Lent::<C>::new(lent(&mut bytes), any(), any()) else { return };
+fn inked<I: Ink<Color = Light>>(ink: I, bytes: &mut [u8]) {
+    let Ok(mut frame) = Lights::new(lent(bytes), side(), side()) else { return };
+    let Ok(()) = ink.fill(&mut frame, any(), near());
+    let Ok(()) = Brush::new(&mut frame, ink).span(any(), near(), ());
+}
+
+fn extend() -> Extend {
+    one_of(&[Extend::Pad, Extend::Repeat, Extend::Reflect])
+}
+
+fn linear_gradient(memory: &mut Memory) {
+    inked(LinearGradient::new(any(), any(), between(any(), any())).with_extend(extend()), &mut memory.bytes);
+}
+
+fn radial_gradient(memory: &mut Memory) {
+    inked(RadialGradient::new(any(), any(), between(any(), any())).with_extend(extend()), &mut memory.bytes);
+}
+
+fn pattern_from_bits(memory: &mut Memory) {
+    inked(Pattern::from_bits(hatch::BRICKS, any(), any()).anchored(any()), &mut memory.bytes);
+}
+
+fn stencil(memory: &mut Memory) {
+    inked(Stencil::new(hatch::DOTS, any()).anchored(any()), &mut memory.bytes);
+}
+
+fn picture_ink_once(memory: &mut Memory) {
+    let Ok(photo) = Frame::<Light, Words, _>::with_slice(some(&mut memory.picture), side(), side()) else { return };
+    inked(PictureInk::once(&photo).anchored(any()), &mut memory.bytes);
+}
+
+fn picture_ink_tiled(memory: &mut Memory) {
+    let Ok(photo) = Frame::<Light, Words, _>::with_slice(some(&mut memory.picture), side(), side()) else { return };
+    inked(PictureInk::tiled(&photo).anchored(any()), &mut memory.bytes);
+}
+
+fn mode() -> BlendMode {
+    one_of(&[BlendMode::Over, BlendMode::Add, BlendMode::Multiply, BlendMode::Screen, BlendMode::Darken])
+}
+
+fn on_background<C: Code + Blend>(color: C, memory: &mut Memory) {
+    let Ok(mut frame) = Lent::<C>::new(lent(&mut memory.bytes), side(), side()) else { return };
     let alpha = || Alpha::new(color, any());
     let mut on = OnBackground::new(&mut frame, color);
     let Ok(()) = on.draw_iter([Pixel(any(), alpha())]);
     let Ok(()) = on.fill_solid(&any(), alpha());
-    let Ok(()) = on.fill_contiguous(&any(), core::iter::repeat_with(alpha));
-    let mut on = Blended::new(&mut frame).with_mode(black_box(BlendMode::Over));
+    let Ok(()) = on.fill_contiguous(&near_rectangle(), endless(alpha));
+}
+
+fn blended<C: Code + Blend>(color: C, memory: &mut Memory) {
+    let Ok(mut frame) = Lent::<C>::new(lent(&mut memory.bytes), side(), side()) else { return };
+    let alpha = || Alpha::new(color, any());
+    let mut on = Blended::new(&mut frame).with_mode(mode());
     let Ok(()) = on.draw_iter([Pixel(any(), alpha())]);
     let Ok(()) = on.fill_solid(&any(), alpha());
-    let Ok(()) = on.fill_contiguous(&any(), core::iter::repeat_with(alpha));
-    let mut brush = on.brush(color).with_curve(CoverageCurve::bolder(any()));
-    let Ok(()) = brush.span(any(), any::<i32>()..any(), Covered::Evenly(any()));
-    let Ok(()) = brush.span(any(), any::<i32>()..any(), Covered::Each(part(&parts)));
-    keep(color.blend(color, black_box(BlendMode::Over), any()));
+    let Ok(()) = on.fill_contiguous(&near_rectangle(), endless(alpha));
 }
 
-fn light() {
-    let (mut bytes, parts) = ([0; 64], [any::<Coverage>(); 8]);
-    let Ok(mut frame) = Lights::new(lent(&mut bytes), any(), any()) else { return };
+fn covered(coverages: &mut [Coverage]) -> Covered<'_> {
+    if any() { Covered::Each(some(coverages)) } else { Covered::Evenly(any()) }
+}
+
+fn brushed<C: Code + Blend>(color: C, memory: &mut Memory) {
+    let Ok(mut frame) = Lent::<C>::new(lent(&mut memory.bytes), side(), side()) else { return };
+    let mut on = Blended::new(&mut frame).with_mode(mode());
+    let mut brush = on.brush(color).with_curve(CoverageCurve::bolder(any()));
+    let Ok(()) = brush.span(any(), near(), covered(&mut memory.coverages));
+}
+
+fn brush_light(memory: &mut Memory) {
+    let Ok(mut frame) = Lights::new(lent(&mut memory.bytes), side(), side()) else { return };
     let mut on = Blended::new(&mut frame);
     let gradient = LinearGradient::new(any(), any(), between(any(), any()));
-    let Ok(()) = on.brush(gradient).span(any(), any::<i32>()..any(), Covered::Each(part(&parts)));
+    let Ok(()) = on.brush(gradient).span(any(), near(), covered(&mut memory.coverages));
     let Ok(()) = on.fill_solid(&any(), Alpha::from(any::<Light>()));
-    keep(any::<Light>().blend(any(), black_box(BlendMode::Over), any()));
-    keep(black_box(Rgb565::BLACK).blend(black_box(Rgb565::BLACK), black_box(BlendMode::Screen), any()));
 }
 
-fn textures() {
-    let (bytes, lights) = ([0; 64], [any::<Light>(); 16]);
-    textured(&texture::BLACK_AND_WHITE, &bytes);
-    textured(&texture::SRGB_4, &bytes);
-    textured(black_box(&texture::SRGB_16), &bytes);
-    textured(texture::Srgb, &bytes);
-    if let Ok(texture) = LightTexture::new(part(&lights), any(), any()) {
-        sampled(Sampler::new(&texture));
-        sampled(Sampler::new(texture).with_filter(Bilinear).with_wrap(ClampToEdge));
-    }
+fn blend(_: &mut Memory) {
+    let color = Rgb565::new(any(), any(), any());
+    keep((any::<Light>().blend(any(), mode(), any()), color.blend(Rgb565::new(any(), any(), any()), mode(), any())));
+    keep((bit().blend(bit(), mode(), any()), rgb().blend(rgb(), mode(), any())));
 }
 
-fn textured(lights: impl CodeLights, bytes: &[u8]) {
-    let Ok(texture) = Texture::new(part(bytes), any(), any(), lights) else { return };
+/// A power of two, or not.
+fn texels() -> u32 {
+    if any() { 4 } else { any() }
+}
+
+fn textured(lights: impl CodeLights, memory: &mut Memory) {
+    let Ok(texture) = Texture::new(some(&mut memory.texels), texels(), texels(), lights) else { return };
     sampled(Sampler::new(texture));
+}
+
+fn texture_bilinear(memory: &mut Memory) {
+    let Ok(texture) = Texture::new(some(&mut memory.texels), texels(), texels(), texture::Srgb) else { return };
     sampled(Sampler::new(texture).with_filter(Bilinear).with_wrap(Mirror));
+}
+
+fn light_texture(memory: &mut Memory) {
+    let Ok(texture) = LightTexture::new(some(&mut memory.lights), texels(), texels()) else { return };
+    sampled(Sampler::new(&texture));
+}
+
+fn light_texture_bilinear(memory: &mut Memory) {
+    let Ok(texture) = LightTexture::new(some(&mut memory.lights), texels(), texels()) else { return };
+    sampled(Sampler::new(texture).with_filter(Bilinear).with_wrap(ClampToEdge));
 }
 
 fn sampled<T: Texels, W: Wrap, F: Filter>(sampler: Sampler<T, W, F>) {
     keep((sampler.sample(any(), any()), sampler.uv_shifts(), sampler.sample_uv(any())));
 }
 
-fn exposure() {
-    let (mut sum, picture, mut bytes) = ([0; 64], [0; 64], [0; 64]);
-    let Ok(mut sum) = Lights::new(lent(&mut sum), any(), any()) else { return };
-    let Ok(picture) = Frame::<Gray8, Rows, _>::with_slice(part(&picture), any(), any()) else { return };
-    let Ok(mut shown) = Lights::new(lent(&mut bytes), any(), any()) else { return };
+fn exposure_add(memory: &mut Memory) {
+    let Ok(mut sum) = Lights::new(lent(&mut memory.bytes), side(), side()) else { return };
+    let Ok(picture) = Frame::<Gray8, Rows, _>::with_slice(some(&mut memory.picture), side(), side()) else { return };
     let Ok(mut exposure) = Exposure::new(&mut sum, any()) else { return };
     let Ok(()) = exposure.add(&picture, |grey| Light::from_srgb(grey.luma()));
-    let Ok(()) = exposure.show(&mut shown);
     keep(exposure.taken());
 }
 
-fn bands() {
+fn exposure_show(memory: &mut Memory) {
+    let Ok(mut sum) = Lights::new(lent(&mut memory.bytes), side(), side()) else { return };
+    let Ok(mut shown) = Lights::new(lent(&mut memory.picture), side(), side()) else { return };
+    let Ok(exposure) = Exposure::new(&mut sum, any()) else { return };
+    let Ok(()) = exposure.show(&mut shown);
+}
+
+fn bands(_: &mut Memory) {
     if let (Some(even), Some(to_the_eye)) = (Bands::even(any()), Bands::even_to_the_eye(any())) {
         keep((even.of(any()), to_the_eye.of(any())));
     }

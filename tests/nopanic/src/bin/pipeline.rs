@@ -1,11 +1,9 @@
-//! Meshes in every shading, with every way to hide; wireframes, trees, rows of scenes.
+//! Meshes in every shading, with every way to hide.
 #![no_std]
 #![no_main]
 
-use core::hint::black_box;
-
 use aquatint::{
-    BoundingBox3, BoundingSphere, ClipPlane, Dithered, Fog, Frame, Levels, Light, Rect, Rows, Sampler, Window, Words,
+    BoundingBox3, BoundingSphere, ClipPlane, Dithered, Fog, Frame, Levels, Light, Rows, Sampler, Window, Words,
     fragment::{
         shade::{
             Corner, Flat, Fogged, Gouraud, LineShading, Mapped, Phong, Plain, Shader, Shading, Stippled, Textured,
@@ -13,265 +11,191 @@ use aquatint::{
         },
         texture::{Bilinear, ClampToEdge, LightTexture, Mirror},
     },
-    geometry::{
-        face::Faces,
-        light::{Lamp, Lighting, Surface},
-        lights::{Lights, Source},
-        viewport::Viewport,
-    },
+    geometry::{light::Lighting, lights::Lights},
     hidden::{
         Hidden,
-        bsp::{Node, Piece, Split, Tree, Triangles},
         convex::Convex,
         depth::{Depth, DepthBuffer, DepthTest},
-        raycast::{Shape, Sphere},
     },
-    model::{assembly::Assembly, mesh::Mesh},
-    pipeline::{
-        Bounds, Camera, DepthBias, DepthSortMemory, Instance, Material, MeshVertex, ObjectSpaceMemory, Scanlines, Scene,
-        SceneMemory, TreeInstance, Unpainted, Workspace, draw_compared, draw_mesh, draw_scene, draw_sorted, draw_tree, draw_wireframe,
-        mesh_shapes,
-    },
+    pipeline::{Bounds, Instance, MeshVertex, Scene, Unpainted, Workspace, draw_mesh, draw_wireframe},
 };
 use embedded_graphics::pixelcolor::BinaryColor;
 use heapless::Vec;
-use nopanic::{any, keep, lent, part};
+use nopanic::{
+    any, keep, lent, one_of,
+    scenes::{Model, camera, material, scene, source},
+    side, some,
+};
 
-#[cortex_m_rt::entry]
-fn main() -> ! {
-    shadings();
-    more_shadings();
-    hiding::<u8>();
-    hiding::<u16>();
-    hiding::<u32>();
-    lit();
-    bounded();
-    lines();
-    rows();
-    trees();
-    ways();
-    shapes();
-    loop {}
+/// What a caller lends.
+struct Memory {
+    drawing: Drawing,
+    places: [[i16; 3]; 8],
+    texels: [Light; 16],
+    depths_8: [u8; 2048],
+    depths_16: [u16; 2048],
+    depths_32: [u32; 2048],
 }
 
-fn camera() -> Option<Camera> {
-    Some(Camera { view: any(), projection: any(), viewport: Viewport::new(any()).ok()? })
+struct Drawing {
+    model: Model,
+    bytes: [u8; 4096],
+    vertices: [MeshVertex; 12],
+    planes: Vec<ClipPlane, 4>,
 }
 
-fn scene() -> Option<Scene> {
-    Some(Scene { camera: camera()?, light: Lamp { direction: any(), ambient: any(), diffuse: any() } })
+const MEMORY: Memory = Memory {
+    drawing: Drawing { model: Model::NEW, bytes: [0; 4096], vertices: [MeshVertex::EMPTY; 12], planes: Vec::new() },
+    places: [[0; 3]; 8],
+    texels: [Light::BLACK; 16],
+    depths_8: [0; 2048],
+    depths_16: [0; 2048],
+    depths_32: [0; 2048],
+};
+
+nopanic::entries! { MEMORY;
+    draw_mesh_gouraud = |memory: &mut Memory| shaded(Gouraud, memory),
+    draw_mesh_flat = |memory: &mut Memory| shaded(Flat, memory),
+    draw_mesh_phong = |memory: &mut Memory| shaded(Phong, memory),
+    draw_mesh_unlit = |memory: &mut Memory| shaded(Unlit, memory),
+    draw_mesh_plain = |memory: &mut Memory| shaded(Plain(any::<Light>()), memory),
+    draw_mesh_mapped = |memory: &mut Memory| shaded(Mapped::new(Gouraud, |light: Light| Light(!light.0)), memory),
+    draw_mesh_stippled = |memory: &mut Memory| shaded(Stippled::new(Flat, any::<[u8; 3]>()), memory),
+    draw_mesh_fogged_gouraud = |memory: &mut Memory| fogged(Gouraud, memory),
+    draw_mesh_fogged_phong = |memory: &mut Memory| fogged(Phong, memory),
+    draw_mesh_shader,
+    draw_mesh_textured = |memory: &mut Memory| textured(|texture| Textured::new(Sampler::new(texture), Unlit), memory),
+    draw_mesh_textured_clamped = |memory: &mut Memory| {
+        textured(|texture| Textured::new(Sampler::new(texture).with_wrap(ClampToEdge), Gouraud), memory);
+    },
+    draw_mesh_textured_bilinear = |memory: &mut Memory| {
+        textured(|texture| Textured::new(Sampler::new(texture).with_wrap(Mirror).with_filter(Bilinear), Phong), memory);
+    },
+    draw_mesh_textured_affine = |memory: &mut Memory| {
+        textured(|texture| Textured::new(Sampler::new(texture), Flat).affine(), memory);
+    },
+    draw_mesh_depth_u8 = |memory: &mut Memory| hiding(&mut memory.depths_8, &mut memory.drawing),
+    draw_mesh_depth_u32 = |memory: &mut Memory| hiding(&mut memory.depths_32, &mut memory.drawing),
+    draw_mesh_depth_test = |memory: &mut Memory| tested(&mut memory.depths_16, &mut memory.drawing),
+    draw_mesh_without_writing = |memory: &mut Memory| unwritten(&mut memory.depths_16, &mut memory.drawing),
+    draw_mesh_convex = |memory: &mut Memory| drawn(Gouraud, &mut Convex, (), scene(), &mut memory.drawing),
+    draw_mesh_lights_gouraud = |memory: &mut Memory| drawn(Gouraud, &mut Convex, (), lit(), &mut memory.drawing),
+    draw_mesh_lights_phong = |memory: &mut Memory| drawn(Phong, &mut Convex, (), lit(), &mut memory.drawing),
+    draw_mesh_in_sphere,
+    draw_mesh_in_box,
+    draw_mesh_unpainted,
+    draw_wireframe_gouraud = |memory: &mut Memory| wireframe(Gouraud, memory),
+    draw_wireframe_unlit = |memory: &mut Memory| wireframe(Unlit, memory),
+    draw_wireframe_plain = |memory: &mut Memory| wireframe(Plain(any::<Light>()), memory),
+    draw_wireframe_fogged,
 }
 
-fn material<S>(shading: S) -> Material<S> {
-    let surface = Surface { diffuse: any(), specular: any(), shininess: any() };
-    let bias = DepthBias { constant: any(), slope: any() };
-    Material { shading, surface, faces: black_box(Faces::Both), bias }
+/// A mesh in a shading, behind a depth buffer, onto light that is dithered.
+fn shaded<S: Shading<Color = Light>>(shading: S, memory: &mut Memory) {
+    let Ok(mut depth) = DepthBuffer::new(lent(&mut memory.depths_16), any()) else { return };
+    depth.clear();
+    drawn(shading, &mut depth, (), scene(), &mut memory.drawing);
 }
 
-/// The arrays of a mesh.
-struct Arrays {
-    positions: [[i16; 3]; 8],
-    normals: [[i8; 3]; 8],
-    uv: [[i16; 2]; 8],
-    lights: [Light; 8],
-    triangles: [[u16; 3]; 8],
-}
-
-impl Arrays {
-    fn any() -> Self {
-        Self { positions: any(), normals: any(), uv: any(), lights: any(), triangles: any() }
-    }
-
-    fn mesh(&self) -> Option<Mesh<'_>> {
-        let indices = self.triangles.as_flattened();
-        let assembly = [
-            Assembly::Triangles(part(&self.triangles)),
-            Assembly::Strip(part(indices)),
-            Assembly::Fan(part(indices)),
-            Assembly::Polygons { counts: part(&[3; 8]), indices: part(indices) },
-        ];
-        let assembly = *black_box(&assembly).get(any::<usize>())?;
-        let mesh = Mesh::with_assembly(part(&self.positions), part(&self.normals), assembly).ok()?;
-        let mesh = mesh.with_uv(part(&self.uv)).ok()?.with_lights(part(&self.lights)).ok()?;
-        mesh.with_face_normals(part(&self.normals)).ok()
-    }
-}
-
-/// A mesh in a shading, onto light that is dithered.
-#[inline(never)]
-fn shaded<S: Shading<Color = Light>>(shading: S) {
-    let mut depths = [0_u16; 64];
-    let Ok(mut depth) = DepthBuffer::new(lent(&mut depths), any()) else { return };
-    drawn(shading, &mut depth, (), scene());
-}
-
-#[inline(never)]
-fn drawn<S, H, B, L>(shading: S, hidden: &mut H, bounds: B, scene: Option<Scene<L>>)
+fn drawn<S, H, B, L>(shading: S, hidden: &mut H, bounds: B, scene: Option<Scene<L>>, memory: &mut Drawing)
 where
     S: Shading<Color = Light>,
     H: Hidden,
     B: Bounds,
     L: Lighting,
 {
-    let (arrays, mut bytes, mut vertices) = (Arrays::any(), [0; 64], [MeshVertex::EMPTY; 8]);
-    let (Some(mesh), Some(scene)) = (arrays.mesh(), scene) else { return };
-    let Ok(mut frame) = Frame::<BinaryColor, Rows, _>::new(lent(&mut bytes), any(), any()) else { return };
-    let Ok(plane) = ClipPlane::new(any()) else { return };
-    let planes = [plane; 8];
-    let instance = Instance::new(mesh, any()).with_material(material(shading)).with_planes(part(&planes));
-    let mut workspace = Workspace { vertices: lent(&mut vertices), hidden };
+    let (Some(mesh), Some(scene)) = (memory.model.mesh(), scene) else { return };
+    let Ok(mut frame) = Frame::<BinaryColor, Rows, _>::new(lent(&mut memory.bytes), side(), side()) else { return };
+    memory.planes.clear();
+    while any::<u16>() > 5 && ClipPlane::new(any()).is_ok_and(|plane| memory.planes.push(plane).is_ok()) {}
+    let instance = Instance::new(mesh, any()).with_material(material(shading)).with_planes(&memory.planes);
+    let mut workspace = Workspace { vertices: lent(&mut memory.vertices), hidden };
     let mut band = Window::band(&mut frame, any());
     let mut light = Dithered::new(&mut band, Levels::ONE_BIT);
     keep(draw_mesh(&instance.with_bounds(bounds), &scene, &mut workspace, &mut light).is_ok());
 }
 
-fn shadings() {
-    shaded(Gouraud);
-    shaded(Flat);
-    shaded(Phong);
-    shaded(Unlit);
-    shaded(Plain(any::<Light>()));
-    shaded(Mapped::new(Gouraud, |light: Light| Light(!light.0)));
-    shaded(Stippled::new(Flat, any::<[u8; 3]>()));
-    if let Ok(fog) = Fog::linear(any(), any(), any()) {
-        shaded(Fogged::new(Gouraud, fog));
-        shaded(Fogged::new(Phong, fog));
+fn fog() -> Option<Fog> {
+    if any() { Fog::linear(any(), any(), any()).ok() } else { Fog::exponential(any(), any()).ok() }
+}
+
+fn fogged<S: Shading<Color = Light>>(shading: S, memory: &mut Memory)
+where
+    Fogged<S>: Shading<Color = Light>,
+{
+    if let Some(fog) = fog() {
+        shaded(Fogged::new(shading, fog), memory);
     }
+}
+
+fn draw_mesh_shader(memory: &mut Memory) {
     let corner = |corner: &Corner| [corner.light.0, corner.position[0].cast_unsigned(), corner.index];
-    shaded(Shader::new(corner, |[light, x, _]: [u16; 3]| (x & 0x400 == 0).then_some(Light(light))));
+    shaded(Shader::new(corner, |[light, x, _]: [u16; 3]| (x & 0x400 == 0).then_some(Light(light))), memory);
 }
 
-fn more_shadings() {
-    let texels = [any(); 16];
-    let Ok(texture) = LightTexture::new(part(&texels), any(), any()) else { return };
-    shaded(Textured::new(Sampler::new(texture), Unlit));
-    shaded(Textured::new(Sampler::new(texture).with_wrap(ClampToEdge), Gouraud));
-    shaded(Textured::new(Sampler::new(texture).with_wrap(Mirror).with_filter(Bilinear), Phong));
-    shaded(Textured::new(Sampler::new(texture), Flat).affine());
+fn textured<'a, S: Shading<Color = Light>>(shading: impl FnOnce(LightTexture<'a>) -> S, memory: &'a mut Memory) {
+    let Memory { texels, depths_16, drawing, .. } = memory;
+    let Ok(texture) = LightTexture::new(some(texels), any::<u32>() & 4, any::<u32>() & 4) else { return };
+    let Ok(mut depth) = DepthBuffer::new(lent(depths_16), any()) else { return };
+    depth.clear();
+    drawn(shading(texture), &mut depth, (), scene(), drawing);
 }
 
-fn hiding<D: Depth + Ord>() {
-    let mut depths = [D::FARTHEST; 64];
-    let Ok(mut depth) = DepthBuffer::new(lent(&mut depths), any()) else { return };
-    drawn(Gouraud, &mut depth, (), scene());
-    let mut depth = depth.with_test(black_box(DepthTest::Nearer));
-    drawn(Phong, &mut depth, (), scene());
-    drawn(Flat, &mut depth.without_writing(), (), scene());
+fn hiding<D: Depth + Ord>(depths: &mut [D], memory: &mut Drawing) {
+    let Ok(mut depth) = DepthBuffer::new(lent(depths), any()) else { return };
+    depth.clear();
+    drawn(Gouraud, &mut depth, (), scene(), memory);
+}
+
+const TESTS: [DepthTest; 4] = [DepthTest::Nearer, DepthTest::NotFarther, DepthTest::Farther, DepthTest::NotEqual];
+
+fn tested(depths: &mut [u16], memory: &mut Drawing) {
+    let Ok(depth) = DepthBuffer::new(lent(depths), any()) else { return };
+    drawn(Phong, &mut depth.with_test(one_of(&TESTS)), (), scene(), memory);
+}
+
+fn unwritten(depths: &mut [u16], memory: &mut Drawing) {
+    let Ok(depth) = DepthBuffer::new(lent(depths), any()) else { return };
+    drawn(Flat, &mut depth.with_test(one_of(&TESTS)).without_writing(), (), scene(), memory);
 }
 
 /// With several lamps.
-fn lit() {
-    let position = any();
-    let spot = Source::Spot { position, direction: any(), light: any(), reach: any(), inner: any(), outer: any() };
-    let sources = black_box([spot, Source::Point { position, light: any(), reach: any() }]);
-    let scene = || Some(Scene { camera: camera()?, light: Lights { ambient: any(), sources } });
-    drawn(Gouraud, &mut Convex, (), scene());
-    drawn(Phong, &mut Convex, (), scene());
+fn lit() -> Option<Scene<Lights<2>>> {
+    Some(Scene { camera: camera()?, light: Lights { ambient: any(), sources: [source(), source()] } })
 }
 
-fn bounded() {
-    let places = [any(); 8];
-    drawn(Gouraud, &mut Convex, BoundingSphere::new(any(), any()), scene());
-    if let Some(bounds) = BoundingBox3::of_places(part(&places)) {
-        drawn(Unlit, &mut Convex, bounds, scene());
+fn draw_mesh_in_sphere(memory: &mut Memory) {
+    drawn(Gouraud, &mut Convex, BoundingSphere::new(any(), any()), scene(), &mut memory.drawing);
+}
+
+fn draw_mesh_in_box(memory: &mut Memory) {
+    if let Some(bounds) = BoundingBox3::of_places(some(&mut memory.places)) {
+        drawn(Unlit, &mut Convex, bounds, scene(), &mut memory.drawing);
     }
 }
 
-fn lines() {
-    wireframe(Gouraud);
-    wireframe(Unlit);
-    wireframe(Plain(any::<Light>()));
-    if let Ok(fog) = Fog::exponential(any(), any()) {
-        wireframe(Fogged::new(Gouraud, fog));
-    }
-}
-
-fn wireframe<S: LineShading<Color = Light>>(shading: S) {
-    let (arrays, mut bytes, mut vertices, mut depths) = (Arrays::any(), [0; 64], [MeshVertex::EMPTY; 8], [0_u16; 64]);
-    let (Some(mesh), Some(scene)) = (arrays.mesh(), scene()) else { return };
-    let Ok(mut depth) = DepthBuffer::new(lent(&mut depths), any()) else { return };
-    let Ok(mut frame) = Frame::<Light, Words, _>::new(lent(&mut bytes), any(), any()) else { return };
-    let instance = Instance::new(mesh, any()).with_material(material(shading));
-    let mut workspace = Workspace { vertices: lent(&mut vertices), hidden: &mut depth };
-    keep(draw_wireframe(&instance, &scene, &mut workspace, &mut frame).is_ok());
+fn draw_mesh_unpainted(memory: &mut Memory) {
+    let Memory { depths_16, drawing, .. } = memory;
+    let (Some(mesh), Some(scene)) = (drawing.model.mesh(), scene()) else { return };
+    let Ok(mut depth) = DepthBuffer::new(lent(depths_16), any()) else { return };
+    let instance = Instance::new(mesh, any()).with_material(material(Plain(any::<Light>())));
+    let mut workspace = Workspace { vertices: lent(&mut drawing.vertices), hidden: &mut depth };
     keep(draw_mesh(&instance, &scene, &mut workspace, &mut Unpainted::new()).is_ok());
 }
 
-fn rows() {
-    scanned(Gouraud);
-    scanned(Flat);
-    scanned(Phong);
-}
-
-fn scanned<S: Shading<Color = Light> + Copy>(shading: S) {
-    let (one, other, mut bytes) = (Arrays::any(), Arrays::any(), [0; 64]);
-    let (Some(one), Some(other), Some(scene)) = (one.mesh(), other.mesh(), scene()) else { return };
-    let Ok(mut frame) = Frame::<BinaryColor, Rows, _>::new(lent(&mut bytes), any(), any()) else { return };
-    let instances = [one, other].map(|mesh| Instance::new(mesh, any()).with_material(material(shading)));
-    let mut memory = SceneMemory::<16, 8, 8, S>::NEW;
-    let mut light = Dithered::new(&mut frame, Levels::ONE_BIT);
-    keep(draw_scene(&instances, &scene, &mut memory, &mut light).is_ok());
-    let mut memory = memory.lend();
-    memory.vertices = lent(memory.vertices);
-    memory.buckets = lent(memory.buckets);
-    let mut rows = Scanlines::new(any::<Rect>(), memory);
-    keep(rows.begin(&instances, &scene).is_ok());
-    while let Some(row) = rows.row() {
-        keep((row, rows.draw_row(&mut light).is_ok()));
+fn draw_wireframe_fogged(memory: &mut Memory) {
+    if let Some(fog) = fog() {
+        wireframe(Fogged::new(Gouraud, fog), memory);
     }
 }
 
-fn trees() {
-    let (arrays, mut vertices, mut bytes) = (Arrays::any(), [MeshVertex::EMPTY; 8], [0; 64]);
-    let (Some(mesh), Some(scene)) = (arrays.mesh(), scene()) else { return };
-    let node = Node { face: any(), parent: any(), front: any(), back: any(), first: any() };
-    let (nodes, pieces) = ([node; 4], [Piece { triangle: any(), cut: any(), next: any() }; 4]);
-    let cuts = [Split { side: any(), before: any() }; 4];
-    let list = Triangles::new(part(&arrays.positions), part(&arrays.triangles));
-    let Ok(tree) = Tree::new(list, part(&nodes), part(&pieces), part(&cuts)) else { return };
-    let Ok(mut frame) = Frame::<Light, Words, _>::new(lent(&mut bytes), any(), any()) else { return };
-    let instance = Instance::new(mesh, any()).with_material(material(Gouraud));
-    let mut workspace = Workspace { vertices: lent(&mut vertices), hidden: &mut Convex };
-    keep(draw_tree(&TreeInstance { instance, tree }, &scene, &mut workspace, &mut frame).is_ok());
-}
-
-/// In object space, and sorted by depth, in lists of any length.
-fn ways() {
-    let (one, other, mut bytes) = (Arrays::any(), Arrays::any(), [0; 64]);
-    let (Some(one), Some(other), Some(scene)) = (one.mesh(), other.mesh(), scene()) else { return };
-    let Ok(mut frame) = Frame::<Light, Words, _>::new(lent(&mut bytes), any(), any()) else { return };
-    let instances = [one, other].map(|mesh| Instance::new(mesh, any()).with_material(material(Gouraud)));
-    let (mut vertices, mut faces) = ([MeshVertex::EMPTY; 16], list::<_, 8>());
-    let (mut compared, mut bounds) = (list::<_, 8>(), list::<_, 8>());
-    let memory = ObjectSpaceMemory {
-        vertices: lent(&mut vertices),
-        faces: black_box(&mut faces),
-        compared: black_box(&mut compared),
-        bounds: black_box(&mut bounds),
-    };
-    keep(draw_compared(&instances, &scene, memory, &mut frame).is_ok());
-    let (mut pieces, mut corners, mut cuts) = (list::<_, 8>(), list::<_, 8>(), list::<_, 8>());
-    let memory = DepthSortMemory {
-        vertices: lent(&mut vertices),
-        faces: black_box(&mut faces),
-        pieces: black_box(&mut pieces),
-        corners: black_box(&mut corners),
-        cuts: black_box(&mut cuts),
-    };
-    keep(draw_sorted(&instances, &scene, memory, &mut frame).is_ok());
-}
-
-const fn list<T, const N: usize>() -> Vec<T, N> {
-    Vec::new()
-}
-
-fn shapes() {
-    let arrays = Arrays::any();
-    let (Some(mesh), Ok(sphere)) = (arrays.mesh(), Sphere::new(any(), any())) else { return };
-    let mut shapes = [Shape::Sphere(sphere); 8];
-    keep(mesh_shapes(&Instance::new(mesh, any()), lent(&mut shapes)));
-    let Some(camera) = camera() else { return };
-    if let Ok(side) = aquatint::HalfSpace::new(any(), any()) {
-        keep(camera.clip_plane(&side));
-    }
+fn wireframe<S: LineShading<Color = Light>>(shading: S, memory: &mut Memory) {
+    let Memory { depths_16, drawing, .. } = memory;
+    let (Some(mesh), Some(scene)) = (drawing.model.mesh(), scene()) else { return };
+    let Ok(mut depth) = DepthBuffer::new(lent(depths_16), any()) else { return };
+    depth.clear();
+    let Ok(mut frame) = Frame::<Light, Words, _>::new(lent(&mut drawing.bytes), side(), side()) else { return };
+    let instance = Instance::new(mesh, any()).with_material(material(shading));
+    let mut workspace = Workspace { vertices: lent(&mut drawing.vertices), hidden: &mut depth };
+    keep(draw_wireframe(&instance, &scene, &mut workspace, &mut frame).is_ok());
 }
