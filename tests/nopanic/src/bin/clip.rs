@@ -220,9 +220,8 @@ fn sutherland_hodgman_3d(memory: &mut Memory) {
     }
     let planes = [plane; 6];
     let clipped = sutherland_hodgman_3d::clip(&mut memory.corners, &mut memory.spare, part(&planes), volume());
-    if let Ok(clipped) = clipped {
-        keep(clipped.as_slice());
-    }
+    keep(clipped);
+    keep(memory.corners.as_slice());
 }
 
 fn half_space(_: &mut Memory) {
