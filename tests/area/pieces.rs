@@ -77,3 +77,12 @@ fn the_first_row_of_a_band_may_be_any() {
         assert_eq!(drawn(&polygon, Rule::EvenOdd, band), whole);
     }
 }
+
+/// Two borders of it cross in the middle of the least band of a row: which is left of the other there may not depend on
+/// the rows above.
+#[test]
+fn edges_that_cross_in_the_middle_of_a_band_have_one_order() {
+    let corners = [(0, 176), (7, -2438), (4635, 150), (28, 151)].map(|(x, y)| Point2::from_sixteenths(x, y));
+    let line = Stroked::new(Polyline::new(&corners).expect("in range"), Stroke::of_width(Subpixel::from_bits(19)));
+    assert_eq!(difference(&line, Rule::NonZero, (32, 1)), 0);
+}

@@ -55,7 +55,8 @@ fn uncrossed(edges: &mut [AreaEdge], row: i32, (top, until): (i32, i32), least: 
     for edge in &mut *edges {
         edge.place(row, (top, bottom));
     }
-    sort_by_key(edges, |edge| edge.from + edge.to);
+    // Those that cross in its middle in one order, whatever it was before.
+    sort_by_key(edges, |edge| (edge.from + edge.to, edge.from));
     bottom
 }
 

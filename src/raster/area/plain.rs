@@ -16,7 +16,8 @@ pub(super) fn add_plain(edges: &mut [AreaEdge], cells: &mut Cells, row: i32) -> 
     for edge in &mut *edges {
         add_pieces(edge, cells, row);
     }
-    sort_by_key(edges, |edge| edge.from);
+    // In one order, whatever it was before: so bands of a picture are the whole to the bit.
+    sort_by_key(edges, |edge| (edge.from, edge.to, edge.winding()));
     lie_side_by_side(edges) && wind_once(edges)
 }
 
