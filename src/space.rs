@@ -270,15 +270,12 @@ impl Rect {
         self.columns().contains(&point.x) && self.rows().contains(&point.y)
     }
 
-    /// The pixels that are in both.
+    /// The pixels that are in both. Where there are none it has no rows, however high both are: nobody walks down them.
     #[must_use]
     pub fn intersection(self, other: Self) -> Self {
-        Self::new(
-            self.left.max(other.left),
-            self.top.max(other.top),
-            self.right.min(other.right),
-            self.bottom.min(other.bottom),
-        )
+        let (left, right) = (self.left.max(other.left), self.right.min(other.right));
+        let (top, bottom) = (self.top.max(other.top), self.bottom.min(other.bottom));
+        Self::new(left, top, right, if left < right { bottom } else { top })
     }
 
     /// The part of a run of columns that lies inside on `row`, if any does.

@@ -320,3 +320,16 @@ fn a_pattern_is_the_same_in_rows_and_pages() {
     }
     assert!(rows.bounding_box().points().all(|at| rows.pixel(at) == pages.pixel(at)));
 }
+
+/// A walk over all of its columns would take minutes, and the number of its last one has no successor.
+#[test]
+fn a_stencil_of_the_longest_run_is_what_is_seen_of_it() {
+    for anchor in [0, 3, i32::MIN, i32::MAX] {
+        let stencil = Stencil::new([0b0110_0101], BinaryColor::On).anchored(Point::new(anchor, 0));
+        let mut frames = [0; 2].map(|byte| Frame::<BinaryColor, Rows, _>::with_array([byte; 3], 24, 1).expect("room"));
+        let Ok(()) = stencil.fill(&mut frames[0], 0, i32::MIN..i32::MAX);
+        let Ok(()) = stencil.fill(&mut frames[1], 0, 0..24);
+        assert_eq!(frames[0].bytes(), frames[1].bytes());
+        assert_ne!(frames[0].bytes(), [0; 3]);
+    }
+}

@@ -3,8 +3,8 @@
 use core::convert::Infallible;
 
 use aquatint::{
-    Code, Columns, Dithered, FillStyle, Frame, Inverted, Levels, Light, Line, Pages, Planes, Point2, Polygon, Rect,
-    Rows, StrokeStyle, Target, Turn, Turned, Window, display::layout::Layout,
+    Alpha, Blended, Code, Columns, Coverage, Dithered, FillStyle, Frame, Inverted, Levels, Light, Line, Pages, Planes,
+    Point2, Polygon, Rect, Rows, StrokeStyle, Target, Turn, Turned, Window, display::layout::Layout,
 };
 use embedded_graphics::{
     image::GetPixel,
@@ -178,4 +178,28 @@ fn a_turned_display_shows_the_upright_picture_turned() {
             assert_eq!(there, here, "{turn:?}: {x}, {y}");
         }
     }
+}
+
+/// A walk over all of its columns would take minutes.
+#[test]
+fn a_turned_display_takes_the_longest_run() {
+    for turn in [Turn::Clockwise, Turn::Half, Turn::CounterClockwise] {
+        let mut frame = Frame::<BinaryColor, Rows, _>::with_array([0; 3], 8, 3).expect("room");
+        let mut turned = Turned::new(&mut frame, turn);
+        let Ok(()) = turned.write_run(1, i32::MIN..i32::MAX, core::iter::repeat(Some(BinaryColor::On)));
+        let (width, seen) = (turned.size().width, turned.bounds().width());
+        assert_eq!(width, seen);
+        let on: u32 = frame.bytes().iter().map(|byte| byte.count_ones()).sum();
+        assert_eq!(on, width, "{turn:?}");
+    }
+}
+
+/// No columns, two thousand million rows.
+#[test]
+fn rows_without_columns_are_not_walked() {
+    let mut frame = Frame::<Gray4, Rows, _>::with_array([0; 0], 0, u32::MAX).expect("no byte is needed");
+    let area = Rectangle::new(Point::zero(), Size::new(5, u32::MAX));
+    let Ok(()) = Blended::new(&mut frame).fill_solid(&area, Alpha::new(Gray4::WHITE, Coverage::FULL));
+    assert!(Rect::new(3, 0, 3, 9).intersection(Rect::new(0, -5, 9, 90)).rows().is_empty());
+    assert_eq!(Rect::new(0, 0, 9, 9).intersection(Rect::new(2, 3, 5, 90)), Rect::new(2, 3, 5, 9));
 }

@@ -154,7 +154,9 @@ impl<D: DrawTarget + OriginDimensions> Target for Turned<'_, D> {
         columns: Range<i32>,
         colors: impl Iterator<Item = Option<D::Color>>,
     ) -> Result<(), D::Error> {
-        let pixels = columns.zip(colors);
+        let Some(visible) = self.bounds().clip_run(row, columns.clone()) else { return Ok(()) };
+        let hidden = usize::try_from(visible.start.abs_diff(columns.start)).unwrap_or(usize::MAX);
+        let pixels = visible.zip(colors.skip(hidden));
         self.draw_iter(pixels.filter_map(|(column, color)| Some(Pixel(Point::new(column, row), color?))))
     }
 }

@@ -110,6 +110,8 @@ impl<C: Copy, const H: usize> Ink for Stencil<C, H> {
 
     fn fill<T: Target<Color = C>>(&self, target: &mut T, row: i32, columns: Range<i32>) -> Result<(), T::Error> {
         let Some(byte) = line_of(&self.bits, row, self.anchor) else { return Ok(()) };
+        // What lies beside the target is not passed over bit by bit.
+        let Some(columns) = target.bounds().clip_run(row, columns) else { return Ok(()) };
         // From the first column of the run on, the highest bit first.
         let mut bits = byte.rotate_left(columns.start.wrapping_sub(self.anchor.x).cast_unsigned() & 7);
         let colors = core::iter::repeat_with(|| {
