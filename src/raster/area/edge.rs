@@ -49,6 +49,9 @@ pub struct AreaEdge<C = Pieces> {
 
 /// What an edge knows of the curve that it is a piece of.
 pub trait Curved: Copy + 'static {
+    /// Whether there are no curves.
+    const ARE_NONE: bool = false;
+
     /// To be kept, if curves are.
     fn new(pieces: Pieces) -> Option<Self>;
 
@@ -81,6 +84,8 @@ impl Curved for Pieces {
 pub enum Straight {}
 
 impl Curved for Straight {
+    const ARE_NONE: bool = true;
+
     #[inline]
     fn new(_pieces: Pieces) -> Option<Self> {
         None

@@ -215,7 +215,7 @@ impl<O: Outline, R: Into<Rule> + Copy, C: Curved> Scan<'_, '_, O, R, C> {
         let whole = self.whole_rows();
         let mut row = rows.start;
         while row < rows.end {
-            if self.is_one_part() && whole.contains(&row) && self.list.active().len() <= self.most {
+            if self.is_one_part() && whole.contains(&row) && (!C::ARE_NONE || self.list.active().len() <= self.most) {
                 let mut cells = Cells::new(self.cells.get_mut(..self.width).unwrap_or_default(), self.bounds.left);
                 let rows = row..rows.end.min(whole.end);
                 row = apart::emit_rows(self.list.active(), rows, (&mut cells, self.rule.into()), sink)?;
@@ -243,13 +243,13 @@ impl<O: Outline, R: Into<Rule> + Copy, C: Curved> Scan<'_, '_, O, R, C> {
         index(self.bounds.right.abs_diff(at).min(low_index(self.width)).cast_signed())
     }
 
-    /// One row, in as many parts as the cells make of it. Not inlined: its stack is not needed while the outline is traced.
-    #[inline(never)]
+    /// One row, in as many parts as the cells make of it. Its stack is not needed while the outline is traced.
+    #[cfg_attr(target_os = "none", inline(never))]
     fn emit_row<S, E>(&mut self, row: i32, sink: &mut S) -> Result<(), E>
     where
         S: for<'c> Sink<Covered<'c>, Error = E>,
     {
-        let is_united = self.is_union() && self.list.active().len() > self.most;
+        let is_united = C::ARE_NONE && self.is_union() && self.list.active().len() > self.most;
         self.list.active().iter_mut().for_each(AreaEdge::begin_row);
         let mut at = self.bounds.left;
         while at < self.bounds.right {

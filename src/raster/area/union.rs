@@ -83,6 +83,7 @@ impl<'m> Union<'m> {
 }
 
 /// Adds the part of an edge that is in a row.
+#[inline(never)]
 fn add_edge<C: Curved>(edge: &mut AreaEdge<C>, cells: &mut Cells, row: i32) {
     let side = if edge.winding() > 0 { Side::Left } else { Side::Right };
     edge.each_piece(row, |crossed, (top, bottom)| {
