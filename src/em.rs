@@ -131,6 +131,7 @@ pub(crate) struct Spread {
 
 impl Spread {
     /// The pixels that it may touch where the origin is, and one more on each side for what is rounded.
+    #[inline(never)]
     pub(crate) fn pixels_at(self, [x, y]: Place) -> Rect {
         let pixel = |of: i64, from: i64, margin: i64| saturate_i32((from.saturating_add(of) >> PIXEL_DIGITS) + margin);
         let ([left, top], [right, bottom]) = (self.least, self.most);

@@ -9,6 +9,8 @@
 //! Nothing is stored: whoever needs the points again traces the outline again. So a curve costs no
 //! memory, and a stroke of dashes of a path is three small machines, one inside the other.
 
+use core::ops::Range;
+
 use embedded_graphics::primitives::Rectangle;
 
 use crate::{
@@ -77,6 +79,12 @@ pub trait Pen {
 
     /// A straight edge back to where the contour began. Another contour follows, or nothing.
     fn close(&mut self);
+
+    /// Which heights, in the unit of y, the pen wants to see at the moment: contours that lie wholly above or below may
+    /// be left out. Without its own implementation a pen wants everything.
+    fn heights(&self) -> Range<Subpixel> {
+        Subpixel::MIN..Subpixel::MAX
+    }
 }
 
 impl<O: Outline> Outline for &O {
@@ -141,12 +149,11 @@ pub(crate) fn fine(point: Point2) -> Option<Point2> {
 /// Whether all points of an outline, as [`trace_fine`](Outline::trace_fine) will draw them, are less than
 /// [`LIMIT`] from zero even when they are moved by `reach` sixteenths. One coarse trace.
 pub(crate) fn is_fine_within<O: Outline>(outline: &O, reach: u32) -> bool {
-    // A fine point is hardly a sixteenth from the coarse contour, 18 at the most where curves are cut too coarsely.
-    let limit = (LIMIT / FINE.cast_unsigned()).saturating_sub(reach).saturating_sub(32);
-    let mut extent = Extent(None);
-    outline.trace(&mut extent);
-    extent.0.is_none_or(|(least, most)| least.within(limit) && most.within(limit))
+    Extent::of(outline).is_fine_within(reach)
 }
+
+/// How far, in sixteenths, a fine point may be from the coarse contour: hardly 1, but 18 where curves are cut too coarsely.
+pub(crate) const FINE_ERROR: u32 = 18;
 
 /// An edge that owns the centre of a row: where it begins and ends, from above, and which way it winds.
 #[derive(Clone, Copy, Debug)]
@@ -230,19 +237,12 @@ pub(crate) fn in_range(point: Point2) -> Point2 {
 /// The smallest rectangle of pixels that holds all points of an outline; empty for an empty outline.
 #[must_use]
 pub fn pixel_bounds<O: Outline>(outline: &O) -> Rect {
-    let mut extent = Extent(None);
-    outline.trace(&mut extent);
-    let Some((least, most)) = extent.0 else { return Rect::default() };
-    let [left, top] = [least.x, least.y].map(|v| v.to_bits() >> Subpixel::FRAC_NBITS);
-    let [right, bottom] = [most.x, most.y].map(|v| v.to_bits().saturating_add(15) >> Subpixel::FRAC_NBITS);
-    Rect::new(left, top, right, bottom)
+    Extent::of(outline).pixels_within(0)
 }
 
 /// The pixels whose centres are no farther out than the outermost points.
 pub(crate) fn center_bounds<O: Outline>(outline: &O) -> Rect {
-    let mut extent = Extent(None);
-    outline.trace(&mut extent);
-    let Some((least, most)) = extent.0 else { return Rect::default() };
+    let Some((least, most)) = Extent::of(outline).0 else { return Rect::default() };
     // Centres on the left and top are inside, on the right and bottom outside: columns as rows.
     let [left, top, right, bottom] =
         [least.x, least.y, most.x, most.y].map(|v| first_row(v.to_bits().min(i32::MAX - SUBPIXELS)));
@@ -256,6 +256,30 @@ pub(crate) fn bounding_box<O: Outline>(outline: &O) -> Rectangle {
 
 /// The pen that keeps the least and the greatest coordinates seen.
 pub(crate) struct Extent(pub(crate) Option<(Point2, Point2)>);
+
+impl Extent {
+    /// That of an outline.
+    pub(crate) fn of<O: Outline>(outline: &O) -> Self {
+        let mut extent = Self(None);
+        outline.trace(&mut extent);
+        extent
+    }
+
+    /// Whether it is that of [`is_fine_within`].
+    pub(crate) fn is_fine_within(&self, reach: u32) -> bool {
+        let limit = (LIMIT / FINE.cast_unsigned()).saturating_sub(reach).saturating_sub(32);
+        self.0.is_none_or(|(least, most)| least.within(limit) && most.within(limit))
+    }
+
+    /// The smallest rectangle of pixels that holds all that is `reach` sixteenths from it.
+    pub(crate) fn pixels_within(&self, reach: u32) -> Rect {
+        let (Some((least, most)), reach) = (self.0, reach.cast_signed()) else { return Rect::default() };
+        let [left, top] = [least.x, least.y].map(|v| v.to_bits().saturating_sub(reach) >> Subpixel::FRAC_NBITS);
+        let [right, bottom] =
+            [most.x, most.y].map(|v| v.to_bits().saturating_add(reach).saturating_add(15) >> Subpixel::FRAC_NBITS);
+        Rect::new(left, top, right, bottom)
+    }
+}
 
 impl Pen for Extent {
     fn move_to(&mut self, point: Point2) {

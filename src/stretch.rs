@@ -1,8 +1,8 @@
 //! Outlines for antialiasing: contours on 256ths of a pixel, as stretches that only go down or only up.
 //!
 //! ```text
-//!   trace_fine ──move_to, line_to, curve_to──▶ Stretch::Edge   a straight edge
-//!                                              Stretch::Run    pieces of a curve, up to where it turns
+//!   trace_fine ──move_to, line_to, curve_to──▶ Directed   a straight edge
+//!                                              Run        pieces of a curve, up to where it turns
 //! ```
 //!
 //! A run is a curve with the numbers of two vertices, so that a list of edges holds it in one place.
@@ -11,6 +11,7 @@ use core::ops::Range;
 
 use crate::{
     edge::LIMIT,
+    num::Subpixel,
     outline::{Directed, FINE, Outline, Pen},
     pieces::Curve,
     space::Point2,
@@ -18,15 +19,6 @@ use crate::{
 
 /// Points of [`Outline::trace_fine`] are nearer to zero than this.
 const FINE_LIMIT: u32 = LIMIT * FINE.cast_unsigned();
-
-/// A part of a contour that only goes down, or only up.
-#[derive(Clone, Copy, Debug)]
-pub(crate) enum Stretch {
-    /// A straight edge, not horizontal.
-    Edge(Directed),
-    /// Pieces of a curve, not all of them horizontal.
-    Run(Run),
-}
 
 /// Pieces of a curve from above to below, by the numbers of their first and their last vertex.
 #[derive(Clone, Copy, Debug)]
@@ -79,22 +71,35 @@ impl Run {
     }
 }
 
-/// Gives all stretches of [`Outline::trace_fine`], of contours that are closed where they were left open.
+/// Takes the stretches of an outline. Two functions, because outlines without curves need only one of them.
+pub(crate) trait Taker {
+    /// A straight edge, not horizontal.
+    fn edge(&mut self, edge: Directed);
+
+    /// Pieces of a curve, not all of them horizontal.
+    fn run(&mut self, run: Run);
+
+    /// The rows of which it wants the stretches at the moment.
+    fn rows(&self) -> Range<i32>;
+}
+
+/// Gives all stretches of [`Outline::trace_fine`], of contours that are closed where they were left open. Closed ones that
+/// do not reach the rows that are wanted may be left out.
 #[inline]
-pub(crate) fn each_stretch<O: Outline>(outline: &O, take: impl FnMut(Stretch)) {
-    let mut stretches = Stretches { take, first: Point2::default(), last: Point2::default() };
+pub(crate) fn each_stretch<O: Outline, T: Taker>(outline: &O, taker: &mut T) {
+    let mut stretches = Stretches { taker, first: Point2::default(), last: Point2::default() };
     outline.trace_fine(&mut stretches);
     stretches.close();
 }
 
 /// The pen of [`each_stretch`].
-struct Stretches<F> {
-    take: F,
+struct Stretches<'t, T> {
+    taker: &'t mut T,
     first: Point2,
     last: Point2,
 }
 
-impl<F: FnMut(Stretch)> Pen for Stretches<F> {
+impl<T: Taker> Pen for Stretches<'_, T> {
     #[inline]
     fn move_to(&mut self, point: Point2) {
         self.close();
@@ -108,7 +113,7 @@ impl<F: FnMut(Stretch)> Pen for Stretches<F> {
         let edge = Directed::between(self.last, to);
         self.last = to;
         if edge.upper.y < edge.lower.y {
-            (self.take)(Stretch::Edge(edge));
+            self.taker.edge(edge);
         }
     }
 
@@ -117,10 +122,10 @@ impl<F: FnMut(Stretch)> Pen for Stretches<F> {
         let curve = curve.coarser();
         let start = curve.vertex_at(0);
         self.line_to(start);
-        let take = &mut self.take;
+        let taker = &mut *self.taker;
         let mut end = |from: u32, to: u32, winding: i32| {
             if let Some(run) = Run::between(curve, (from, to), winding) {
-                take(Stretch::Run(run));
+                taker.run(run);
             }
         };
         if let Some(winding) = curve.slope() {
@@ -148,36 +153,36 @@ impl<F: FnMut(Stretch)> Pen for Stretches<F> {
             self.line_to(self.first);
         }
     }
+
+    #[inline]
+    fn heights(&self) -> Range<Subpixel> {
+        let Range { start, end } = self.taker.rows();
+        Subpixel::from_bits(start.saturating_mul(256))..Subpixel::from_bits(end.saturating_mul(256))
+    }
 }
 
-/// The columns that the control points of an outline are in: no more of it can be seen. One trace.
-pub(crate) fn columns<O: Outline>(outline: &O) -> Range<i32> {
-    let mut reach = Reach { least: i32::MAX, most: i32::MIN };
-    outline.trace_fine(&mut reach);
-    // In 256ths of a pixel; a sixteenth more, because curves are rounded.
-    let end = (reach.most.saturating_add(FINE) >> 8).saturating_add(1);
-    reach.least.saturating_sub(FINE) >> 8..end
-}
-
-/// The pen of [`columns`].
-struct Reach {
+/// The columns that stretches are in.
+pub(crate) struct Columns {
     least: i32,
     most: i32,
 }
 
-impl Pen for Reach {
-    fn move_to(&mut self, point: Point2) {
-        let x = point.nearest_within(FINE_LIMIT).x.to_bits();
-        (self.least, self.most) = (self.least.min(x), self.most.max(x));
+impl Columns {
+    /// Those of nothing.
+    pub(crate) const NONE: Self = Self { least: i32::MAX, most: i32::MIN };
+
+    /// Reaches over more points.
+    pub(crate) fn hold<const N: usize>(&mut self, points: [Point2; N]) {
+        for point in points {
+            let x = point.nearest_within(FINE_LIMIT).x.to_bits();
+            (self.least, self.most) = (self.least.min(x), self.most.max(x));
+        }
     }
 
-    fn line_to(&mut self, point: Point2) {
-        self.move_to(point);
+    /// What they are.
+    pub(crate) const fn range(&self) -> Range<i32> {
+        // In 256ths of a pixel; a sixteenth more, because curves are rounded.
+        let end = (self.most.saturating_add(FINE) >> 8).saturating_add(1);
+        self.least.saturating_sub(FINE) >> 8..end
     }
-
-    fn curve_to(&mut self, curve: &Curve) {
-        curve.hull().into_iter().for_each(|point| self.move_to(point));
-    }
-
-    fn close(&mut self) {}
 }

@@ -122,6 +122,9 @@ impl FontMetrics {
 /// # Ok::<(), core::convert::Infallible>(())
 /// ```
 pub trait Typeface {
+    /// Whether its contours enclose something. Fonts that are made of lines have a stroke and no inside.
+    const HAS_INSIDE: bool = true;
+
     /// The measures of the font.
     fn metrics(&self) -> FontMetrics;
 

@@ -28,7 +28,7 @@ const WORDS: [(&str, &[&str]); 41] = [
     ("polynomial", &["num", "space"]),
     ("pieces", &["angle", "edge", "num", "polynomial", "space"]),
     ("outline", &["edge", "num", "pieces", "space"]),
-    ("stretch", &["edge", "outline", "pieces", "space"]),
+    ("stretch", &["edge", "num", "outline", "pieces", "space"]),
     ("affine", &["angle", "num", "outline", "pieces", "space"]),
     ("arc", &["angle", "edge", "error", "num", "outline", "pieces", "space"]),
     ("curve", &["arc", "outline", "pieces", "space"]),

@@ -29,11 +29,13 @@ pub(super) struct ActiveList<'l, E> {
     active: usize,
     /// The list holds every edge that begins above this row and is not over yet.
     known: i32,
+    /// From a row that is not known to this one there are always more active edges than the list can hold.
+    crowded: i32,
 }
 
 impl<'l, E: RowEdge> ActiveList<'l, E> {
     pub(super) fn new(edges: &'l mut VecView<E>) -> Self {
-        Self { edges, active: 0, known: i32::MIN }
+        Self { edges, active: 0, known: i32::MIN, crowded: i32::MIN }
     }
 
     /// Whether the active edges of a row are all here; else there are more than the list can hold.
@@ -50,6 +52,9 @@ impl<'l, E: RowEdge> ActiveList<'l, E> {
     /// Brings the list up to `row`: drops the edges that have ended, makes those active that begin. Where none
     /// waits any more, `collect` has to [offer](Self::offer) all of the outline again.
     pub(super) fn enter(&mut self, row: i32, collect: impl FnOnce(&mut Self)) {
+        if row < self.crowded {
+            return;
+        }
         if row >= self.known {
             self.edges.clear();
             (self.active, self.known) = (0, i32::MAX);
@@ -75,10 +80,32 @@ impl<'l, E: RowEdge> ActiveList<'l, E> {
     #[inline]
     pub(super) fn offer(&mut self, edge: Range<i32>, row: i32, make: impl FnOnce(i32) -> E) {
         let first_row = edge.start.max(row);
-        if row < edge.end && first_row < self.known && self.make_room(first_row) {
+        if row >= edge.end {
+            return;
+        }
+        if first_row < self.known && self.make_room(first_row) {
             // There is room.
             let _ = self.edges.push(make(first_row));
+        } else if first_row == row {
+            self.crowd(edge.end, || make(row));
         }
+    }
+
+    /// The rows of which edges are still of interest while they are [offered](Self::offer) for a row.
+    #[inline]
+    pub(super) fn open_rows(&self, row: i32) -> Range<i32> {
+        row..self.known.max(row.saturating_add(1))
+    }
+
+    /// Keeps, of too many edges that are active at once, those that end last: until the next one ends there are too many.
+    #[cold]
+    fn crowd(&mut self, end: i32, make: impl FnOnce() -> E) {
+        let first = self.edges.iter_mut().min_by_key(|edge| edge.end_row());
+        let ended = match first {
+            Some(first) if first.end_row() < end => core::mem::replace(first, make()).end_row(),
+            _ => end,
+        };
+        self.crowded = self.crowded.max(ended);
     }
 
     /// Gives up the latest edges for one that begins earlier; whether there is room then.
@@ -98,7 +125,7 @@ impl<'l, E: RowEdge> ActiveList<'l, E> {
     /// The first row below `row` in which other edges are active.
     pub(super) fn next_change(&self, row: i32) -> i32 {
         if self.known <= row {
-            return row.saturating_add(1);
+            return self.crowded.max(row.saturating_add(1));
         }
         let (active, waiting) = self.edges.split_at_checked(self.active).unwrap_or_default();
         let end = active.iter().map(RowEdge::end_row).fold(self.known, i32::min);

@@ -103,6 +103,8 @@ impl<'a> Hershey<'a> {
 }
 
 impl Typeface for Hershey<'_> {
+    const HAS_INSIDE: bool = false;
+
     fn metrics(&self) -> FontMetrics {
         FontMetrics {
             units_per_em: 32,

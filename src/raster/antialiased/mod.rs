@@ -6,7 +6,7 @@
 //!
 //! - **Takes** outlines, lines between pixels, circles and rectangles of pixels.
 //! - **Gives** a target runs of [`Alpha`] colours, by [area averaging](super::area).
-//! - **Memory** about 2 KB of the stack: 12 edges or curves, 128 cells.
+//! - **Memory** about 2 KB of the stack: 12 edges or curves, of strokes 32 straight edges, and 128 cells.
 
 mod primitives;
 mod rings;
@@ -27,7 +27,7 @@ use crate::{
     coverage::{Coverage, CoverageCurve, Covered},
     outline::{Extent, Outline},
     raster::{
-        area::{AreaEdge, Scratch, fill},
+        area::{AreaEdge, NonZero, Scratch, Straight, fill, fill_by},
         path::Path,
         polygon::Polygon,
         polyline::Polyline,
@@ -91,10 +91,21 @@ fn draw<C: PixelColor, D: DrawTarget<Color = Alpha<C>>>(
     if let (Some(inside), Some(color)) = (inside, style.fill_color) {
         paint(&inside, (color, style.rule), style.curve, display)?;
     }
-    if let (Some(border), Some(color)) = (border, style.stroke_color) {
-        paint(&Stroked::new(border, style.stroke), (color, Rule::NonZero), style.curve, display)?;
-    }
-    Ok(())
+    border.map_or(Ok(()), |border| draw_border(border, style, display))
+}
+
+/// Draws the stroke of an outline, if it is wanted: where more than 12 edges cross a row, by summing up their areas.
+fn draw_border<C: PixelColor, D: DrawTarget<Color = Alpha<C>>>(
+    border: impl Outline,
+    style: &AntialiasedStyle<C>,
+    display: &mut D,
+) -> Result<(), D::Error> {
+    let Some(color) = style.stroke_color else { return Ok(()) };
+    let (stroked, reach) = Stroked::new(border, style.stroke).measured();
+    let bounds = Rect::from(display.bounding_box()).intersection(reach);
+    let (mut edges, mut cells) = (Vec::<AreaEdge<Straight>, 32>::new(), [Coverage::NONE; 128]);
+    let mut sink = SoftPaint { display, bounds, color, curve: style.curve };
+    fill_by(&stroked, NonZero, (&mut edges, 12), (&mut cells, &mut sink))
 }
 
 /// A rectangle that holds all that is drawn.
@@ -206,6 +217,11 @@ impl<C: PixelColor, F: Typeface> StyledDrawable<AntialiasedStyle<C>> for Text<'_
         target: &mut D,
     ) -> Result<(), D::Error> {
         let seen = grown(target.bounding_box().into(), style.stroke);
-        self.glyphs(seen).try_for_each(|glyph| draw(Some(&glyph), Some(&glyph), style, target))
+        self.glyphs(seen).try_for_each(|glyph| {
+            if F::HAS_INSIDE {
+                return draw(Some(&glyph), Some(&glyph), style, target);
+            }
+            draw_border(glyph, style, target)
+        })
     }
 }

@@ -4,14 +4,17 @@
 
 use core::ops::Range;
 
-use super::{cells::Cells, edge::AreaEdge};
+use super::{
+    cells::Cells,
+    edge::{AreaEdge, Curved},
+};
 use crate::{coverage::Covered, span::Sink, style::Rule};
 
 /// Emits rows that all edges go through, as long as they are apart; gives the first in which they are not. The edges
 /// stand on that row then.
 #[inline]
-pub(super) fn emit_rows<S, E>(
-    edges: &mut [AreaEdge],
+pub(super) fn emit_rows<C: Curved, S, E>(
+    edges: &mut [AreaEdge<C>],
     rows: Range<i32>,
     (cells, rule): (&mut Cells, Rule),
     sink: &mut S,
@@ -35,7 +38,7 @@ where
 
 /// Whether the edges lie in a row as they are sorted, with no pixel in common. Then they stand on the next row.
 #[inline]
-fn are_apart(edges: &mut [AreaEdge]) -> bool {
+fn are_apart<C: Curved>(edges: &mut [AreaEdge<C>]) -> bool {
     let (mut before, mut are_apart) = (i64::MIN, true);
     for edge in &mut *edges {
         let (left, right) = edge.place_whole();

@@ -2,12 +2,12 @@
 
 use super::{
     cells::{Cells, height_of},
-    edge::{AreaEdge, PARTS},
+    edge::{AreaEdge, Curved, PARTS},
+    sort::sort_by_key,
 };
 use crate::{
     coverage::Covered,
     num::{divide_floor, low_i32},
-    raster::active::sort_by_key,
     span::Sink,
     style::Rule,
 };
@@ -16,7 +16,7 @@ use crate::{
 const FINE_BANDS: i32 = 64;
 
 /// Adds what lies inside of a row.
-pub(super) fn add_bands(edges: &mut [AreaEdge], cells: &mut Cells, row: i32, rule: Rule) {
+pub(super) fn add_bands<C: Curved>(edges: &mut [AreaEdge<C>], cells: &mut Cells, row: i32, rule: Rule) {
     let (mut top, mut bands) = (0, 0);
     while top < PARTS {
         let until = edges.iter().fold(PARTS, |until, edge| edge.next_end(row, (top, until)));
@@ -32,12 +32,12 @@ pub(super) fn add_bands(edges: &mut [AreaEdge], cells: &mut Cells, row: i32, rul
         }
         (top, bands) = (bottom, bands + i32::from(bottom < until));
     }
-    sort_by_key(edges, |edge| edge.touched.0);
+    sort_by_key(edges, |edge| edge.touched().0);
 }
 
 /// Places the edges in a band. Whether they lie there as they are sorted, and none crosses another.
 #[inline]
-fn are_ordered(edges: &mut [AreaEdge], row: i32, band: (i32, i32)) -> bool {
+fn are_ordered<C: Curved>(edges: &mut [AreaEdge<C>], row: i32, band: (i32, i32)) -> bool {
     let (mut from, mut to, mut are_ordered) = (i64::MIN, i64::MIN, true);
     for edge in edges {
         edge.place(row, band);
@@ -48,7 +48,7 @@ fn are_ordered(edges: &mut [AreaEdge], row: i32, band: (i32, i32)) -> bool {
 }
 
 /// Sorts the edges of a band. Where it ends above the first crossing, but for the least height of a band.
-fn uncrossed(edges: &mut [AreaEdge], row: i32, (top, until): (i32, i32), least: i32) -> i32 {
+fn uncrossed<C: Curved>(edges: &mut [AreaEdge<C>], row: i32, (top, until): (i32, i32), least: i32) -> i32 {
     sort_by_key(edges, |edge| (edge.from, edge.to));
     let Some(parts) = first_crossing(edges, until - top) else { return until };
     let bottom = until.min(top + parts.max(least));
@@ -62,12 +62,12 @@ fn uncrossed(edges: &mut [AreaEdge], row: i32, (top, until): (i32, i32), least: 
 
 /// How far down, rounded up, two edges of a band cross first, if any do. They are sorted as they begin, so that it is
 /// two neighbours.
-fn first_crossing(edges: &[AreaEdge], height: i32) -> Option<i32> {
+fn first_crossing<C: Curved>(edges: &[AreaEdge<C>], height: i32) -> Option<i32> {
     let pairs = edges.iter().zip(edges.iter().skip(1)).take_while(|(_, right)| right.is_here());
     pairs.filter(|(left, right)| left.to > right.to).map(|(left, right)| crossing(left, right, height)).min()
 }
 
-fn crossing(left: &AreaEdge, right: &AreaEdge, height: i32) -> i32 {
+fn crossing<C: Curved>(left: &AreaEdge<C>, right: &AreaEdge<C>, height: i32) -> i32 {
     let (above, below) = (right.from - left.from, left.to - right.to);
     // Rounded up, by rounding down what is negative.
     let (parts, _) = divide_floor(-above * i64::from(height), above + below);
@@ -75,7 +75,7 @@ fn crossing(left: &AreaEdge, right: &AreaEdge, height: i32) -> i32 {
 }
 
 /// Adds a band whose edges are sorted.
-fn add_band(edges: &mut [AreaEdge], cells: &mut Cells, height: i32, rule: Rule) {
+fn add_band<C: Curved>(edges: &mut [AreaEdge<C>], cells: &mut Cells, height: i32, rule: Rule) {
     let mut winding = 0_i32;
     for edge in edges.iter_mut().take_while(|edge| edge.is_here()) {
         if let Some(side) = edge.side(&mut winding, rule) {
@@ -87,12 +87,17 @@ fn add_band(edges: &mut [AreaEdge], cells: &mut Cells, height: i32, rule: Rule) 
 
 /// Emits the cells that edges cross one by one, and what is between them as runs. The edges are sorted by where they
 /// begin on the left.
-pub(super) fn emit_between<S, E>(edges: &[AreaEdge], cells: &mut Cells, row: i32, sink: &mut S) -> Result<(), E>
+pub(super) fn emit_between<C: Curved, S, E>(
+    edges: &[AreaEdge<C>],
+    cells: &mut Cells,
+    row: i32,
+    sink: &mut S,
+) -> Result<(), E>
 where
     S: for<'c> Sink<Covered<'c>, Error = E>,
 {
     let (mut sum, mut from, mut to) = (0, 0, 0);
-    for &AreaEdge { touched: (first, end), .. } in edges.iter().filter(|edge| edge.touched.0 <= edge.touched.1) {
+    for (first, end) in edges.iter().map(AreaEdge::touched).filter(|(first, end)| first <= end) {
         if first > to {
             cells.emit((from, to), &mut sum, row, sink)?;
             cells.emit_even((to, first), &mut sum, row, sink)?;

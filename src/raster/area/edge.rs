@@ -13,11 +13,11 @@
 use core::ops::Range;
 
 use crate::{
-    num::{divide_floor, divide_floor_i32},
+    num::{divide_floor, divide_floor_i32, low_i16, low_i32, low_u8},
     outline::Directed,
     raster::{active::RowEdge, area::cells::Side},
     space::Point2,
-    stretch::{Run, Stretch},
+    stretch::Run,
     style::Rule,
 };
 
@@ -27,7 +27,7 @@ pub(super) const PARTS: i32 = 256;
 /// One edge of an outline, or a curve of which one piece at a time is an edge, in the list that
 /// [`fill`](super::fill) works with.
 #[derive(Clone, Copy, Debug)]
-pub struct AreaEdge {
+pub struct AreaEdge<C = Pieces> {
     /// Where it crosses the upper border of the present row, prolonged if it begins below: 32 fraction bits, modulo
     /// 2⁶⁴ outside of its rows.
     x: i64,
@@ -39,17 +39,72 @@ pub struct AreaEdge {
     /// Where it begins and ends, in 256ths of a pixel.
     top: i32,
     bottom: i32,
-    winding: i32,
-    /// Between which parts of the row it is, once it was added as a whole.
-    pub(super) parts: (i32, i32),
+    winding: i16,
+    /// Between which parts of the row it is, once it was added as a whole; the last one is inside.
+    parts: [u8; 2],
     /// The cells that it has changed in the row: the first, and the first behind.
-    pub(super) touched: (i32, i32),
-    pieces: Option<Pieces>,
+    touched: (i16, i16),
+    pieces: Option<C>,
+}
+
+/// What an edge knows of the curve that it is a piece of.
+pub trait Curved: Copy + 'static {
+    /// Whether there are no curves.
+    const ARE_NONE: bool = false;
+
+    /// To be kept, if curves are.
+    fn new(pieces: Pieces) -> Option<Self>;
+
+    /// What is kept.
+    fn get(&self) -> &Pieces;
+
+    /// The same.
+    fn get_mut(&mut self) -> &mut Pieces;
+}
+
+impl Curved for Pieces {
+    #[inline]
+    fn new(pieces: Pieces) -> Option<Self> {
+        Some(pieces)
+    }
+
+    #[inline]
+    fn get(&self) -> &Pieces {
+        self
+    }
+
+    #[inline]
+    fn get_mut(&mut self) -> &mut Pieces {
+        self
+    }
+}
+
+/// No curve: for outlines of straight edges, which are half as large then.
+#[derive(Clone, Copy, Debug)]
+pub enum Straight {}
+
+impl Curved for Straight {
+    const ARE_NONE: bool = true;
+
+    #[inline]
+    fn new(_pieces: Pieces) -> Option<Self> {
+        None
+    }
+
+    #[inline]
+    fn get(&self) -> &Pieces {
+        match *self {}
+    }
+
+    #[inline]
+    fn get_mut(&mut self) -> &mut Pieces {
+        match *self {}
+    }
 }
 
 /// The curve that an edge is a piece of.
 #[derive(Clone, Copy, Debug)]
-struct Pieces {
+pub struct Pieces {
     run: Run,
     /// Where the last piece ends, in 256ths of a pixel, and where this one does.
     bottom: i32,
@@ -62,29 +117,21 @@ struct Pieces {
 /// Where an edge is that does not cross the band: right of all others.
 const ELSEWHERE: i64 = i64::MAX >> 2;
 
-impl AreaEdge {
-    /// An edge, or the first piece of a curve that reaches into `row`, standing on that row.
-    pub(super) fn new(stretch: Stretch, row: i32) -> Self {
-        let (edge, pieces) = match stretch {
-            Stretch::Edge(edge) => (edge, None),
-            Stretch::Run(run) => {
-                let at = run.piece_below(row << 8);
-                let (edge, bottom) = (run.piece(at), run.vertex(run.len()).y.to_bits());
-                (edge, Some(Pieces { run, bottom, lower: edge.lower, at, at_row: at }))
-            }
-        };
+impl<C: Curved> AreaEdge<C> {
+    /// An edge, standing on a row that it reaches into.
+    pub(super) fn new(edge: Directed, row: i32) -> Self {
         let (x, step) = line(edge, row);
         let (top, bottom) = (edge.upper.y.to_bits(), edge.lower.y.to_bits());
-        Self { x, step, from: 0, to: 0, top, bottom, winding: edge.winding, parts: (0, 0), touched: UNTOUCHED, pieces }
+        let (winding, parts, touched) = (low_i16(edge.winding), [0; 2], UNTOUCHED);
+        Self { x, step, from: 0, to: 0, top, bottom, winding, parts, touched, pieces: None }
     }
 
-    /// The rows that a stretch reaches into.
-    pub(super) fn rows_of(stretch: &Stretch) -> Range<i32> {
-        let (upper, lower) = match stretch {
-            Stretch::Edge(edge) => (edge.upper, edge.lower),
-            Stretch::Run(run) => (run.vertex(0), run.vertex(run.len())),
-        };
-        upper.y.to_bits() >> 8..end_row(lower.y.to_bits())
+    /// The first piece of a curve that reaches into a row, standing on that row.
+    pub(super) fn of_run(run: Run, row: i32) -> Self {
+        let at = run.piece_below(row << 8);
+        let (edge, bottom) = (run.piece(at), run.vertex(run.len()).y.to_bits());
+        let pieces = C::new(Pieces { run, bottom, lower: edge.lower, at, at_row: at });
+        Self { pieces, ..Self::new(edge, row) }
     }
 
     /// Becomes a piece of its curve.
@@ -95,7 +142,7 @@ impl AreaEdge {
 
     /// Goes on to the next piece of its curve where this one ends at or above a part of the row. Whether there is one.
     pub(super) fn go_on(&mut self, row: i32, part: i32) -> bool {
-        let Some(pieces) = &mut self.pieces else { return false };
+        let Some(pieces) = self.pieces.as_mut().map(C::get_mut) else { return false };
         if self.bottom > (row << 8) + part || self.bottom >= pieces.bottom {
             return false;
         }
@@ -106,15 +153,15 @@ impl AreaEdge {
             pieces.at += 1;
             pieces.lower = pieces.run.vertex(pieces.at + 1);
         }
-        let edge = Directed { upper, lower: pieces.lower, winding: self.winding };
+        let edge = Directed { upper, lower: pieces.lower, winding: self.winding.into() };
         self.become_piece(edge, row);
         true
     }
 
     /// Remembers its piece at the beginning of a row.
     #[inline]
-    pub(super) const fn begin_row(&mut self) {
-        if let Some(pieces) = &mut self.pieces {
+    pub(super) fn begin_row(&mut self) {
+        if let Some(pieces) = self.pieces.as_mut().map(C::get_mut) {
             pieces.at_row = pieces.at;
         }
     }
@@ -122,7 +169,7 @@ impl AreaEdge {
     /// Goes back to the piece that it was at the beginning of the row, and has changed no cells yet.
     pub(super) fn begin_part(&mut self, row: i32) {
         self.touched = UNTOUCHED;
-        if let Some(pieces) = &mut self.pieces {
+        if let Some(pieces) = self.pieces.as_mut().map(C::get_mut) {
             if pieces.at != pieces.at_row {
                 pieces.at = pieces.at_row;
                 let edge = pieces.run.piece(pieces.at);
@@ -135,17 +182,37 @@ impl AreaEdge {
     /// Remembers cells that it has changed.
     #[inline]
     pub(super) fn touch(&mut self, (first, end): (i32, i32)) {
-        self.touched = (self.touched.0.min(first), self.touched.1.max(end));
+        self.touched = (self.touched.0.min(low_i16(first)), self.touched.1.max(low_i16(end)));
+    }
+
+    /// The cells that it has changed in the row: the first, and the first behind.
+    #[inline]
+    pub(super) fn touched(&self) -> (i32, i32) {
+        (self.touched.0.into(), self.touched.1.into())
+    }
+
+    /// Remembers where it is once it was added as a whole: between which places, and between which parts of the row.
+    #[inline]
+    pub(super) fn is_between(&mut self, (from, to): (i64, i64), (begin, end): (i32, i32)) {
+        (self.from, self.to) = (from, to);
+        self.parts = [begin, end - 1].map(|part| low_u8(part.cast_unsigned()));
+    }
+
+    /// Between which parts of the row it is, once it was added as a whole.
+    #[inline]
+    pub(super) fn parts(&self) -> Range<i32> {
+        let [begin, last] = self.parts.map(i32::from);
+        begin..last + 1
     }
 
     pub(super) const fn winding(&self) -> i32 {
-        self.winding
+        self.winding as i32
     }
 
     /// Passes the edge on the way to the right; says of which side of the inside it is the border, if it is.
     #[inline]
     pub(super) const fn side(&self, winding: &mut i32, rule: Rule) -> Option<Side> {
-        Side::passed(winding, self.winding, rule)
+        Side::passed(winding, self.winding(), rule)
     }
 
     /// Steps to the next row.
@@ -225,11 +292,14 @@ impl AreaEdge {
     /// Where it is `part` 256ths below the upper border of the row, with 16 fraction bits.
     #[inline]
     pub(super) const fn at(&self, part_of_row: i32) -> i64 {
-        self.x.wrapping_add(part(self.step, part_of_row as i64)) >> 16
+        // Where a product of 64 bits is a call, one is less than two.
+        let low = ((low_i32(self.step) & 0xFF) * part_of_row) >> 8;
+        let right = (self.step >> 8).wrapping_mul(part_of_row as i64).wrapping_add(low as i64);
+        self.x.wrapping_add(right) >> 16
     }
 }
 
-impl RowEdge for AreaEdge {
+impl<C: Curved> RowEdge for AreaEdge<C> {
     #[inline]
     fn first_row(&self) -> i32 {
         self.top >> 8
@@ -237,12 +307,18 @@ impl RowEdge for AreaEdge {
 
     #[inline]
     fn end_row(&self) -> i32 {
-        end_row(self.pieces.map_or(self.bottom, |pieces| pieces.bottom))
+        end_row(self.pieces.as_ref().map_or(self.bottom, |pieces| pieces.get().bottom))
     }
 }
 
+/// The rows that a stretch reaches into.
+#[inline]
+pub(super) const fn rows_between(upper: Point2, lower: Point2) -> Range<i32> {
+    upper.y.to_bits() >> 8..end_row(lower.y.to_bits())
+}
+
 /// No cell.
-const UNTOUCHED: (i32, i32) = (i32::MAX, i32::MIN);
+const UNTOUCHED: (i16, i16) = (i16::MAX, i16::MIN);
 
 /// Where an edge crosses the upper border of a row, and how much farther right a row below.
 fn line(Directed { upper, lower, .. }: Directed, row: i32) -> (i64, i64) {
@@ -297,8 +373,8 @@ mod tests {
             let edge = Directed { upper: Point2::from_sixteenths(x0, y0), lower: Point2::from_sixteenths(x1, y1), winding: 1 };
             let first = y0 >> 8;
             let row = first + enter % (end_row(y1) - first);
-            let entered = AreaEdge::new(Stretch::Edge(edge), row);
-            let mut walked = AreaEdge::new(Stretch::Edge(edge), row.saturating_sub(20).max(first));
+            let entered = AreaEdge::<Pieces>::new(edge, row);
+            let mut walked = AreaEdge::<Pieces>::new(edge, row.saturating_sub(20).max(first));
             for _ in row.saturating_sub(20).max(first)..row {
                 walked.advance();
             }

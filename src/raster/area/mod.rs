@@ -11,7 +11,7 @@
 //! | nothing overlaps | all edges are summed up, then it is looked at whether that was right | `plain.rs` |
 //! | the rest | bands | `bands.rs` |
 //! | more edges of a [stroke](super::stroke) than the list holds | all of them are summed up, what overlaps counts once | `union.rs` |
-//! | more edges of other outlines | 16 strips, edge by edge | here |
+//! | more edges of other outlines | 16 strips, edge by edge | `strips.rs` |
 //!
 //! ```text
 //!   ┌───┬───┬───┬───┐
@@ -47,34 +47,41 @@ mod edge;
 mod mask;
 mod oversample;
 mod plain;
+mod sort;
+mod strips;
+mod task;
 mod union;
 
 use core::ops::Range;
 
 use heapless::vec::VecView;
 
+pub(super) use self::edge::Straight;
 use self::{
     bands::{add_bands, emit_between},
-    cells::{Cells, Side, height_of},
+    cells::Cells,
+    edge::Curved,
     plain::{add_plain, take_back},
-    union::add_union,
+    strips::add_strips,
+    task::Task,
+    union::{Union, emit_edges},
 };
 pub use self::{edge::AreaEdge, mask::CoverageMask, oversample::Oversampled};
 use crate::{
     coverage::{Coverage, Covered},
-    num::{index, low_index},
+    num::{count_i32, index, low_index},
     outline::Outline,
-    raster::{active::ActiveList, area::edge::PARTS},
+    raster::active::ActiveList,
     space::Rect,
     span::Sink,
-    stretch::{columns, each_stretch},
+    stretch::Columns,
     style::Rule,
 };
 
 /// Memory that [`fill`] works with. What it holds before and after means nothing.
 #[derive(Debug)]
 pub struct Scratch<'m> {
-    /// 136 bytes each; 12 are enough for most shapes. It should hold all edges that reach into one row; a curve is one
+    /// 120 bytes each; 12 are enough for most shapes. It should hold all edges that reach into one row; a curve is one
     /// for each time that it goes down or up.
     pub edges: &'m mut VecView<AreaEdge>,
     /// Two bytes each; best as many as the row is wide. Any number will do.
@@ -111,25 +118,44 @@ where
     O: Outline,
     S: for<'c> Sink<Covered<'c>, Error = E>,
 {
+    let Scratch { edges, cells } = scratch;
+    fill_by(outline, rule, (edges, usize::MAX), (cells, sink))
+}
+
+/// Fills by a rule that is a type, so that what is not needed for it is not linked. Rows with more than `most` edges are
+/// summed up as those are that have more than the list holds, if the outline winds one way.
+pub(super) fn fill_by<O, R, C, S, E>(
+    outline: &O,
+    rule: R,
+    (edges, most): (&mut VecView<AreaEdge<C>>, usize),
+    (cells, sink): (&mut [Coverage], &mut S),
+) -> Result<(), E>
+where
+    O: Outline,
+    R: Into<Rule> + Copy,
+    C: Curved,
+    S: for<'c> Sink<Covered<'c>, Error = E>,
+{
     let mut bounds = sink.bounds();
-    if low_index(scratch.cells.len()) < bounds.width() {
-        let columns = columns(outline);
+    if low_index(cells.len()) < bounds.width() {
+        let mut columns = Columns::NONE;
+        Task::<C>::Measure(&mut columns).trace(outline);
+        let columns = columns.range();
         (bounds.left, bounds.right) = (bounds.left.max(columns.start), bounds.right.min(columns.end));
     }
     if bounds.is_empty() {
         return Ok(());
     }
     let mut spare = [Coverage::NONE];
-    let cells = if scratch.cells.is_empty() { &mut spare[..] } else { scratch.cells };
+    let cells = if cells.is_empty() { &mut spare[..] } else { cells };
     let width = cells.len().min(Cells::MOST).min(index(bounds.width().min(1 << 14).cast_signed()));
-    let Some(cells) = cells.get_mut(..width) else { return Ok(()) };
-    cells.fill(Coverage::NONE);
-    let mut scan = Scan { outline, rule, list: ActiveList::new(scratch.edges), cells, bounds };
+    cells.get_mut(..width).unwrap_or_default().fill(Coverage::NONE);
+    let mut scan = Scan { outline, rule, list: ActiveList::new(edges), most, cells, width, bounds };
     let mut row = bounds.top;
     while row < bounds.bottom {
         scan.enter(row);
         let is_known = scan.list.knows(row);
-        let change = if is_known { scan.list.next_change(row).min(bounds.bottom) } else { row + 1 };
+        let change = scan.list.next_change(row).min(bounds.bottom);
         if !(is_known && scan.list.active().is_empty()) {
             scan.emit_rows(row..change, sink)?;
         }
@@ -138,22 +164,36 @@ where
     Ok(())
 }
 
+/// The rule of strokes.
+#[derive(Clone, Copy)]
+pub(super) struct NonZero;
+
+impl From<NonZero> for Rule {
+    #[inline]
+    fn from(_: NonZero) -> Self {
+        Self::NonZero
+    }
+}
+
 /// The state between rows.
-struct Scan<'o, 'l, O> {
+struct Scan<'o, 'l, O, R, C> {
     outline: &'o O,
-    rule: Rule,
-    list: ActiveList<'l, AreaEdge>,
+    rule: R,
+    list: ActiveList<'l, AreaEdge<C>>,
+    /// How many edges may cross a row whose bands are looked for.
+    most: usize,
+    /// All that were lent.
     cells: &'l mut [Coverage],
+    /// How many of them a row takes, or the part of one.
+    width: usize,
     bounds: Rect,
 }
 
-impl<O: Outline> Scan<'_, '_, O> {
+impl<O: Outline, R: Into<Rule> + Copy, C: Curved> Scan<'_, '_, O, R, C> {
     fn enter(&mut self, row: i32) {
         let outline = self.outline;
         self.list.enter(row, |list| {
-            each_stretch(outline, |stretch| {
-                list.offer(AreaEdge::rows_of(&stretch), row, |first_row| AreaEdge::new(stretch, first_row));
-            });
+            Task::Collect(list, row).trace(outline);
         });
     }
 
@@ -163,20 +203,22 @@ impl<O: Outline> Scan<'_, '_, O> {
         rows.fold(i32::MIN..i32::MAX, |all, rows| all.start.max(rows.start)..all.end.min(rows.end))
     }
 
-    /// Rows in which the same edges are active.
+    /// Rows in which the same edges are active, or more than the list can hold.
     #[inline]
     fn emit_rows<S, E>(&mut self, rows: Range<i32>, sink: &mut S) -> Result<(), E>
     where
         S: for<'c> Sink<Covered<'c>, Error = E>,
     {
+        if !self.list.knows(rows.start) {
+            return self.emit_crowded(rows, sink);
+        }
         let whole = self.whole_rows();
-        let is_one_part = self.bounds.width() <= low_index(self.cells.len()) && self.list.knows(rows.start);
         let mut row = rows.start;
         while row < rows.end {
-            if is_one_part && whole.contains(&row) {
-                let mut cells = Cells::new(self.cells, self.bounds.left);
+            if self.is_one_part() && whole.contains(&row) && (!C::ARE_NONE || self.list.active().len() <= self.most) {
+                let mut cells = Cells::new(self.cells.get_mut(..self.width).unwrap_or_default(), self.bounds.left);
                 let rows = row..rows.end.min(whole.end);
-                row = apart::emit_rows(self.list.active(), rows, (&mut cells, self.rule), sink)?;
+                row = apart::emit_rows(self.list.active(), rows, (&mut cells, self.rule.into()), sink)?;
             }
             if row < rows.end {
                 self.emit_row(row, sink)?;
@@ -186,80 +228,82 @@ impl<O: Outline> Scan<'_, '_, O> {
         Ok(())
     }
 
-    /// One row, in as many parts as the cells make of it.
+    /// Whether what overlaps may be summed up.
+    fn is_union(&self) -> bool {
+        O::WINDS_ONE_WAY && self.rule.into() == Rule::NonZero
+    }
+
+    /// Whether the cells hold a whole row.
+    fn is_one_part(&self) -> bool {
+        self.bounds.width() <= low_index(self.width)
+    }
+
+    /// How many cells the part of a row has that begins in a column.
+    fn cells_from(&self, at: i32) -> usize {
+        index(self.bounds.right.abs_diff(at).min(low_index(self.width)).cast_signed())
+    }
+
+    /// One row, in as many parts as the cells make of it. Its stack is not needed while the outline is traced.
+    #[cfg_attr(target_os = "none", inline(never))]
     fn emit_row<S, E>(&mut self, row: i32, sink: &mut S) -> Result<(), E>
     where
         S: for<'c> Sink<Covered<'c>, Error = E>,
     {
-        let Rect { left, right, .. } = self.bounds;
-        let is_known = self.list.knows(row);
-        let edges = self.list.active();
-        edges.iter_mut().for_each(AreaEdge::begin_row);
-        let mut at = left;
-        while at < right {
-            let length = right.abs_diff(at).min(low_index(self.cells.len()));
-            let cells = self.cells.get_mut(..index(length.cast_signed())).unwrap_or_default();
+        let is_united = C::ARE_NONE && self.is_union() && self.list.active().len() > self.most;
+        self.list.active().iter_mut().for_each(AreaEdge::begin_row);
+        let mut at = self.bounds.left;
+        while at < self.bounds.right {
+            let length = self.cells_from(at);
+            let (edges, cells) = (self.list.active(), self.cells.get_mut(..length).unwrap_or_default());
             let mut cells = Cells::new(cells, at);
-            if is_known {
-                add_row(edges, &mut cells, row, self.rule);
-                emit_between(edges, &mut cells, row, sink)?;
-            } else if O::WINDS_ONE_WAY && self.rule == Rule::NonZero {
-                add_union(self.outline, &mut cells, row);
-                cells.emit_all(row, sink)?;
+            if is_united {
+                emit_edges(edges, &mut cells, row, sink)?;
             } else {
-                add_strips(self.outline, &mut cells, row, self.rule);
-                cells.emit_all(row, sink)?;
+                add_row(edges, &mut cells, row, self.rule.into());
+                emit_between(edges, &mut cells, row, sink)?;
             }
-            at = at.saturating_add_unsigned(length);
+            at = at.saturating_add(count_i32(length));
         }
-        edges.iter_mut().for_each(AreaEdge::advance);
+        self.list.active().iter_mut().for_each(AreaEdge::advance);
+        Ok(())
+    }
+
+    /// Rows of which there is no list.
+    #[cold]
+    fn emit_crowded<S, E>(&mut self, rows: Range<i32>, sink: &mut S) -> Result<(), E>
+    where
+        S: for<'c> Sink<Covered<'c>, Error = E>,
+    {
+        let mut row = rows.start;
+        while row < rows.end {
+            let mut next = row.saturating_add(1);
+            let mut at = self.bounds.left;
+            while at < self.bounds.right {
+                let length = self.cells_from(at);
+                if self.is_union() {
+                    let most = if self.is_one_part() { count_i32(self.cells.len() / length.max(1)) } else { 1 };
+                    next = rows.end.min(row.saturating_add(most));
+                    Union::new(self.cells, (at, length), row..next).emit::<C, _, _, _>(self.outline, sink)?;
+                } else {
+                    let mut cells = Cells::new(self.cells.get_mut(..length).unwrap_or_default(), at);
+                    add_strips::<C, O>(self.outline, &mut cells, row, self.rule.into());
+                    cells.emit_all(row, sink)?;
+                }
+                at = at.saturating_add(count_i32(length));
+            }
+            row = next;
+        }
         Ok(())
     }
 }
 
 /// Adds what lies inside of a row.
-fn add_row(edges: &mut [AreaEdge], cells: &mut Cells, row: i32, rule: Rule) {
-    let begin = |edges: &mut [AreaEdge]| edges.iter_mut().for_each(|edge| edge.begin_part(row));
+fn add_row<C: Curved>(edges: &mut [AreaEdge<C>], cells: &mut Cells, row: i32, rule: Rule) {
+    let begin = |edges: &mut [AreaEdge<C>]| edges.iter_mut().for_each(|edge| edge.begin_part(row));
     begin(edges);
     if !add_plain(edges, cells, row) {
         take_back(edges, cells);
         begin(edges);
         add_bands(edges, cells, row, rule);
     }
-}
-
-/// Adds a row of which there is no list of edges: 16 strips, in which the edges are upright.
-#[cold]
-fn add_strips<O: Outline>(outline: &O, cells: &mut Cells, row: i32, rule: Rule) {
-    for middle in (PARTS / 32..PARTS).step_by(16) {
-        let (mut left, mut winding) = (i64::MIN, 0_i32);
-        // The nearest crossing right of `left` again and again.
-        while let Some((x, winds)) = next_crossing(outline, (row, middle), left) {
-            if let Some(side) = Side::passed(&mut winding, winds, rule) {
-                cells.add_edge((x, x), height_of(PARTS / 16), side);
-            }
-            left = x;
-        }
-    }
-}
-
-/// Where edges cross the middle of a strip next to the right, and what they wind there together.
-fn next_crossing<O: Outline>(outline: &O, (row, middle): (i32, i32), left: i64) -> Option<(i64, i32)> {
-    let mut next: Option<(i64, i32)> = None;
-    each_stretch(outline, |stretch| {
-        if !AreaEdge::rows_of(&stretch).contains(&row) {
-            return;
-        }
-        let mut edge = AreaEdge::new(stretch, row);
-        while edge.go_on(row, middle) {}
-        let x = edge.at(middle);
-        if edge.crosses(row, middle) && x > left {
-            next = Some(match next {
-                Some((nearest, winding)) if x == nearest => (nearest, winding + edge.winding()),
-                Some((nearest, winding)) if x > nearest => (nearest, winding),
-                _ => (x, edge.winding()),
-            });
-        }
-    });
-    next
 }

@@ -7,12 +7,12 @@
 
 use super::{
     cells::{Cells, Side, height_of},
-    edge::{AreaEdge, PARTS},
+    edge::{AreaEdge, Curved, PARTS},
+    sort::sort_by_key,
 };
-use crate::raster::active::sort_by_key;
 
 /// Adds all edges of a row, which are sorted from left to right then. Whether that is the coverage of the row.
-pub(super) fn add_plain(edges: &mut [AreaEdge], cells: &mut Cells, row: i32) -> bool {
+pub(super) fn add_plain<C: Curved>(edges: &mut [AreaEdge<C>], cells: &mut Cells, row: i32) -> bool {
     for edge in &mut *edges {
         add_pieces(edge, cells, row);
     }
@@ -23,14 +23,14 @@ pub(super) fn add_plain(edges: &mut [AreaEdge], cells: &mut Cells, row: i32) -> 
 
 /// Takes back what was added.
 #[cold]
-pub(super) fn take_back(edges: &[AreaEdge], cells: &mut Cells) {
+pub(super) fn take_back<C: Curved>(edges: &[AreaEdge<C>], cells: &mut Cells) {
     for edge in edges {
-        cells.clear(edge.touched);
+        cells.clear(edge.touched());
     }
 }
 
 /// Adds an edge, or all pieces of a curve, and remembers how far they reach.
-fn add_pieces(edge: &mut AreaEdge, cells: &mut Cells, row: i32) {
+fn add_pieces<C: Curved>(edge: &mut AreaEdge<C>, cells: &mut Cells, row: i32) {
     let side = if edge.winding() > 0 { Side::Left } else { Side::Right };
     let (begin, mut end) = edge.ends_in(row);
     let (mut least, mut most) = (i64::MAX, i64::MIN);
@@ -39,16 +39,17 @@ fn add_pieces(edge: &mut AreaEdge, cells: &mut Cells, row: i32) {
         cells.add_edge((from, to), height_of(bottom - top), side);
     });
     edge.go_on(row, PARTS);
-    (edge.from, edge.to, edge.parts) = (least, most, (begin, end));
+    edge.is_between((least, most), (begin, end));
     edge.touch(cells.touched((least, most)));
 }
 
 /// Whether no two edges that are there at the same height reach over each other.
-fn lie_side_by_side(edges: &[AreaEdge]) -> bool {
+fn lie_side_by_side<C: Curved>(edges: &[AreaEdge<C>]) -> bool {
     let mut rest = edges;
     while let [left, others @ ..] = rest {
         let near = others.iter().take_while(|right| right.from < left.to);
-        if near.into_iter().any(|right| left.parts.0 < right.parts.1 && right.parts.0 < left.parts.1) {
+        let parts = left.parts();
+        if near.map(AreaEdge::parts).any(|other| parts.start < other.end && other.start < parts.end) {
             return false;
         }
         rest = others;
@@ -57,8 +58,8 @@ fn lie_side_by_side(edges: &[AreaEdge]) -> bool {
 }
 
 /// Whether the edges, from left to right, lead in and out by turns, in the same way wherever one begins or ends.
-fn wind_once(edges: &[AreaEdge]) -> bool {
-    let begins_and_ends = edges.iter().flat_map(|edge| [edge.parts.0, edge.parts.1]);
+fn wind_once<C: Curved>(edges: &[AreaEdge<C>]) -> bool {
+    let begins_and_ends = edges.iter().flat_map(|edge| [edge.parts().start, edge.parts().end]);
     let mut heights = core::iter::once(0).chain(begins_and_ends.filter(|part| (1..PARTS).contains(part)));
     let mut way = 0;
     heights.all(|part| {
@@ -70,9 +71,9 @@ fn wind_once(edges: &[AreaEdge]) -> bool {
 }
 
 /// Which way the first edge at a height winds, 0 where there is none; nothing where the edges do not wind by turns.
-fn way_at(edges: &[AreaEdge], part: i32) -> Option<i32> {
+fn way_at<C: Curved>(edges: &[AreaEdge<C>], part: i32) -> Option<i32> {
     let (mut way, mut last) = (0, 0);
-    for edge in edges.iter().filter(|edge| edge.parts.0 <= part && part < edge.parts.1) {
+    for edge in edges.iter().filter(|edge| edge.parts().contains(&part)) {
         if edge.winding() == last {
             return None;
         }

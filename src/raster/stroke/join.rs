@@ -160,6 +160,37 @@ pub(super) struct Segment {
     pub(super) side: Offset,
 }
 
+/// A segment whose direction is computed when it is asked for: many are nowhere near to what is looked at.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Ahead {
+    pub(super) run: (i32, i32),
+    known: Option<(Direction, Offset)>,
+}
+
+impl Ahead {
+    /// From its beginning to its end.
+    pub(super) const fn new(run: (i32, i32)) -> Self {
+        Self { run, known: None }
+    }
+
+    /// The segment of a stroke of some width; `None` for a point.
+    pub(super) fn segment(&mut self, width: u16) -> Option<Segment> {
+        let (direction, side) = if let Some(known) = self.known {
+            known
+        } else {
+            let direction = Direction::of(self.run)?;
+            (direction, direction.right().half(width))
+        };
+        self.known = Some((direction, side));
+        Some(Segment { run: self.run, direction, side })
+    }
+}
+
+/// Whether a line turns by less than a right angle from one segment to another.
+pub(super) fn is_gentle(before: (i32, i32), after: (i32, i32)) -> bool {
+    dot(before, after) > 0
+}
+
 fn dot((ax, ay): (i32, i32), (bx, by): (i32, i32)) -> i64 {
     i64::from(ax) * i64::from(bx) + i64::from(ay) * i64::from(by)
 }

@@ -34,18 +34,21 @@ pub(super) mod drawable;
 mod join;
 mod pieces;
 
+use core::ops::Range;
+
 use heapless::vec::VecView;
 
 use self::{
     direction::{Direction, between},
-    join::{Corner, Segment, turn_for},
+    join::{Ahead, Corner, Segment, is_gentle, turn_for},
 };
 use crate::{
     edge::LIMIT,
-    outline::{FINE, Outline, Pen, is_fine_within, trace_enlarged},
+    num::Subpixel,
+    outline::{Extent, FINE, FINE_ERROR, Outline, Pen, is_fine_within},
     pieces::Curve,
     raster::scan::{ActiveEdge, fill},
-    space::Point2,
+    space::{Point2, Rect},
     span::Sink,
     style::{Join, Rule, Stroke},
 };
@@ -83,6 +86,8 @@ const REACH: u32 = LIMIT - (1 << 16);
 pub struct Stroked<O> {
     outline: O,
     shape: Shape,
+    /// Whether it can be drawn in 256ths of a pixel, if that was looked at.
+    is_fine: Option<bool>,
 }
 
 /// A stroke in the numbers that are needed.
@@ -122,7 +127,15 @@ impl Shape {
 impl<O: Outline> Stroked<O> {
     /// The stroke of an outline, or of a reference to one.
     pub fn new(outline: O, stroke: Stroke) -> Self {
-        Self { outline, shape: Shape::new(stroke, stroke.sixteenths()) }
+        Self { outline, shape: Shape::new(stroke, stroke.sixteenths()), is_fine: None }
+    }
+
+    /// The same, knowing whether it can be drawn in 256ths of a pixel, and the pixels outside of which there is nothing of
+    /// it. One trace of the outline, for all of those to come.
+    pub(in crate::raster) fn measured(self) -> (Self, Rect) {
+        let (extent, reach) = (Extent::of(&self.outline), self.shape.reach());
+        let bounds = extent.pixels_within(reach.saturating_add(FINE_ERROR));
+        (Self { is_fine: Some(extent.is_fine_within(reach)), ..self }, bounds)
     }
 
     /// Emits the spans of the whole inside the bounds of `sink`, from top to bottom and from left to right: [`fill`].
@@ -152,13 +165,63 @@ impl<O: Outline> Outline for Stroked<O> {
     /// Corners are rounded to 256ths of a pixel where the stroke is less than 256 pixels wide and less than 262,144
     /// pixels from the origin. To know that, the inner outline is traced once more.
     fn trace_fine<P: Pen>(&self, pen: &mut P) {
-        let large = self.shape.enlarged().filter(|_| is_fine_within(&self.outline, self.shape.reach()));
-        let Some(shape) = large else { return trace_enlarged(self, pen) };
-        if shape.width > 0 {
-            let mut stroker = Stroker::new(pen, shape);
-            self.outline.trace_fine(&mut stroker);
-            stroker.end();
+        if self.shape.width == 0 {
+            return;
         }
+        let large = self
+            .shape
+            .enlarged()
+            .filter(|_| self.is_fine.unwrap_or_else(|| is_fine_within(&self.outline, self.shape.reach())));
+        // One stroker for both, so that there is one machine code.
+        let mut scaled = Scaled { pen, times: if large.is_some() { 1 } else { FINE } };
+        let mut stroker = Stroker::new(&mut scaled, large.unwrap_or(self.shape));
+        if large.is_some() {
+            self.outline.trace_fine(&mut stroker);
+        } else {
+            self.outline.trace(&mut stroker);
+        }
+        stroker.end();
+    }
+}
+
+/// Draws so many times as large. What comes is in range: strokes are.
+struct Scaled<'p, P> {
+    pen: &'p mut P,
+    times: i32,
+}
+
+impl<P> Scaled<'_, P> {
+    #[inline]
+    const fn scaled(&self, point: Point2) -> Point2 {
+        let [x, y] = [point.x.to_bits(), point.y.to_bits()];
+        Point2::from_sixteenths(x.wrapping_mul(self.times), y.wrapping_mul(self.times))
+    }
+}
+
+impl<P: Pen> Pen for Scaled<'_, P> {
+    #[inline]
+    fn move_to(&mut self, point: Point2) {
+        self.pen.move_to(self.scaled(point));
+    }
+
+    #[inline]
+    fn line_to(&mut self, point: Point2) {
+        self.pen.line_to(self.scaled(point));
+    }
+
+    #[inline]
+    fn close(&mut self) {
+        self.pen.close();
+    }
+
+    #[inline]
+    fn heights(&self) -> Range<Subpixel> {
+        let wanted = self.pen.heights();
+        if self.times == 1 {
+            return wanted;
+        }
+        let [start, end] = [wanted.start, wanted.end].map(|height| height.to_bits() / FINE);
+        Subpixel::from_bits(start - 1)..Subpixel::from_bits(end + 1)
     }
 }
 
@@ -170,7 +233,7 @@ enum Path {
     /// A point.
     Point,
     /// Segments; the first and the last of them.
-    Segments(Segment, Segment),
+    Segments(Ahead, Ahead),
 }
 
 /// The pen that the inner outline draws with.
@@ -192,20 +255,21 @@ impl<P: Pen> Pen for Stroker<'_, P> {
     fn line_to(&mut self, point: Point2) {
         let point = point.clamped(REACH);
         let run = between(self.last, point);
-        let Some(direction) = Direction::of(run) else {
+        if run == (0, 0) {
             if matches!(self.path, Path::Begun) {
                 self.path = Path::Point;
             }
             return;
+        }
+        let mut segment = Ahead::new(run);
+        if let Path::Segments(_, mut last) = self.path {
+            self.join(&mut last, &mut segment);
+        }
+        self.strip(&mut segment, point);
+        self.path = match self.path {
+            Path::Segments(first, _) => Path::Segments(first, segment),
+            _ => Path::Segments(segment, segment),
         };
-        let segment = Segment { run, direction, side: direction.right().half(self.shape.width) };
-        self.path = if let Path::Segments(first, last) = self.path {
-            self.join(last, segment);
-            Path::Segments(first, segment)
-        } else {
-            Path::Segments(segment, segment)
-        };
-        self.strip(segment, point);
         self.last = point;
     }
 
@@ -216,8 +280,8 @@ impl<P: Pen> Pen for Stroker<'_, P> {
 
     fn close(&mut self) {
         self.line_to(self.begin);
-        if let Path::Segments(first, last) = self.path {
-            self.join(last, first);
+        if let Path::Segments(mut first, mut last) = self.path {
+            self.join(&mut last, &mut first);
             self.path = Path::Begun;
         }
     }
@@ -230,21 +294,51 @@ impl<'p, P: Pen> Stroker<'p, P> {
 
     /// A contour ends that has not been closed.
     fn end(&mut self) {
-        let ends = match self.path {
-            Path::Begun => return,
+        match self.path {
+            Path::Begun => {}
             // A closed contour of one point comes here, too.
-            Path::Point => [(self.begin, Direction::EAST.reversed()), (self.begin, Direction::EAST)],
-            Path::Segments(first, last) => [(self.begin, first.direction.reversed()), (self.last, last.direction)],
-        };
-        let Shape { stroke: Stroke { cap, .. }, width, turn, .. } = self.shape;
-        for (at, direction) in ends {
-            cap::cap(at, direction, (cap, width, turn), self.pen);
+            Path::Point => {
+                self.cap(self.begin, Some(Direction::EAST.reversed()));
+                self.cap(self.begin, Some(Direction::EAST));
+            }
+            Path::Segments(mut first, mut last) => {
+                let backwards = self.direction(self.begin, &mut first).map(Direction::reversed);
+                let ahead = self.direction(self.last, &mut last);
+                self.cap(self.begin, backwards);
+                self.cap(self.last, ahead);
+            }
         }
         self.path = Path::Begun;
     }
 
-    fn strip(&mut self, segment: Segment, to: Point2) {
-        let (right, left) = (segment.side, segment.side.reversed());
+    /// The direction of a segment, if the cap at one of its ends is of interest.
+    fn direction(&self, end: Point2, segment: &mut Ahead) -> Option<Direction> {
+        let is_seen = self.is_seen([end, end], self.shape.reach());
+        if is_seen { Some(segment.segment(self.shape.width)?.direction) } else { None }
+    }
+
+    fn cap(&mut self, at: Point2, direction: Option<Direction>) {
+        let Shape { stroke: Stroke { cap, .. }, width, turn, .. } = self.shape;
+        if let Some(direction) = direction {
+            cap::cap(at, direction, (cap, width, turn), self.pen);
+        }
+    }
+
+    /// Whether what is no farther than `reach` from a segment is of interest.
+    fn is_seen(&self, [from, to]: [Point2; 2], reach: u32) -> bool {
+        let Range { start, end } = self.pen.heights();
+        let (least, most) = (from.y.min(to.y), from.y.max(to.y));
+        let reach = Subpixel::from_bits(reach.cast_signed());
+        least.saturating_sub(reach) < end && most.saturating_add(reach) > start
+    }
+
+    fn strip(&mut self, segment: &mut Ahead, to: Point2) {
+        let width = self.shape.width;
+        if !self.is_seen([self.last, to], u32::from(width) / 2 + 2) {
+            return;
+        }
+        let Some(Segment { side: right, .. }) = segment.segment(width) else { return };
+        let left = right.reversed();
         self.pen.move_to(left.from(self.last));
         self.pen.line_to(left.from(to));
         self.pen.line_to(right.from(to));
@@ -252,8 +346,14 @@ impl<'p, P: Pen> Stroker<'p, P> {
         self.pen.close();
     }
 
-    fn join(&mut self, before: Segment, after: Segment) {
+    fn join(&mut self, before: &mut Ahead, after: &mut Ahead) {
         let Shape { stroke, width, turn, .. } = self.shape;
+        // Where the line turns by less than a right angle the tip is less than √2 times half the width away.
+        let is_near = |reach: u32| self.is_seen([self.last, self.last], reach);
+        if !is_near(self.shape.reach()) || !is_near(u32::from(width) * 3 / 4 + 2) && is_gentle(before.run, after.run) {
+            return;
+        }
+        let (Some(before), Some(after)) = (before.segment(width), after.segment(width)) else { return };
         if let Some(corner) = Corner::between(self.last, before, after) {
             corner.join(stroke.join, width, turn, self.pen);
         }
