@@ -3,6 +3,7 @@
 mod dashes;
 #[path = "../exact/mod.rs"]
 mod exact;
+mod heights;
 mod ideal;
 mod pictures;
 mod strokes;

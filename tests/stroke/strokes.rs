@@ -43,7 +43,7 @@ fn join() -> impl Strategy<Value = Join> {
     ]
 }
 
-fn stroke() -> impl Strategy<Value = Stroke> {
+pub fn stroke() -> impl Strategy<Value = Stroke> {
     let width = prop_oneof![2 => 1..40_i32, 2 => 16..200_i32, 2 => (1..8_i32).prop_map(|pixels| pixels * 16)];
     let cap = select(vec![Cap::Butt, Cap::Round, Cap::Square]);
     (width, join(), cap).prop_map(|(width, join, cap)| Stroke { width: Subpixel::from_bits(width), join, cap })
@@ -54,7 +54,7 @@ fn coordinate() -> impl Strategy<Value = i32> {
 }
 
 /// Points, of which some come twice, go back, or turn by little.
-fn points(count: core::ops::Range<usize>) -> impl Strategy<Value = Vec<Point2>> {
+pub fn points(count: core::ops::Range<usize>) -> impl Strategy<Value = Vec<Point2>> {
     let step = prop_oneof![6 => Just(0), 1 => Just(1), 1 => Just(2), 2 => Just(3)];
     prop::collection::vec(((coordinate(), coordinate()), step), count).prop_map(|steps| {
         let mut points: Vec<(i32, i32)> = vec![];
