@@ -65,6 +65,8 @@ const LEFT_OUT: [(&str, &[&str]); 6] = [
         &[
             "active::ActiveFace",
             "edge::AreaEdge",
+            "edge::Pieces",
+            "edge::Straight",
             "hierarchy::Node",
             "object_space::ComparedFace",
             "object_space::PartBound",
