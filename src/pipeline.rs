@@ -344,10 +344,11 @@ fn clip<S: Shading, I: Illumination>(
     triangle: &MeshTriangle,
     polygon: &mut ClippedTriangle<S::Attributes>,
 ) {
-    polygon.extend(surface.corners(triangle).map(|corner| ClipVertex {
-        point: surface.transform.apply(corner.position),
-        attributes: surface.shading.corner(&corner),
-    }));
+    for corner in surface.corners(triangle) {
+        let point = surface.transform.apply(corner.position);
+        // There is room for three.
+        let _ = polygon.push(ClipVertex { point, attributes: surface.shading.corner(&corner) });
+    }
     surface.clip(polygon, &mut ClippedTriangle::new());
 }
 
