@@ -1,4 +1,4 @@
-"""What the checks of the programs in tests/nopanic share: how checks are counted, and how programs are built and found."""
+"""What the scripts of this folder share: how checks are counted and commands run, and how the programs of tests/nopanic are built and found."""
 
 import os
 import subprocess
@@ -26,13 +26,21 @@ class Report:
             print(f"        {line}", flush=True)
         return good
 
+    def run(self, what, command, **options):
+        """A check that a command succeeds. Gives what it printed, or None."""
+        done = run(command, **options)
+        good = self.check(done.returncode == 0, what, (done.stdout + done.stderr).splitlines()[-20:])
+        return done.stdout if good else None
+
     def end(self):
         print(f"{self.passed} passed, {self.failed} failed")
         return 1 if self.failed else 0
 
 
-def run(command):
-    return subprocess.run(command, cwd=ROOT, stdin=subprocess.DEVNULL, capture_output=True, text=True)
+def run(command, cwd=ROOT, **environment):
+    """Runs a command to its end, with further variables of the environment."""
+    environment = os.environ | environment
+    return subprocess.run(command, cwd=cwd, env=environment, stdin=subprocess.DEVNULL, capture_output=True, text=True)
 
 
 def build(target, level, place, programs, *more):
