@@ -219,7 +219,7 @@ pub struct Workspace<'w, H> {
 /// Give it [`Dithered`](crate::Dithered) on a frame, or any other target of the shading's colour. A target that
 /// is a band of a picture, with a depth buffer of that band, gets the same pixels as the whole.
 ///
-/// Memory: 12 bytes a vertex and those of the depth buffer, lent by the caller; two to four kB of stack, by the shading.
+/// Memory: 12 bytes a vertex and those of the depth buffer, lent by the caller; three to six kB of stack, by the shading.
 ///
 /// # Errors
 /// [`DrawError`].

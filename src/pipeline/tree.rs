@@ -41,7 +41,7 @@ pub struct TreeInstance<'a, S = Gouraud, B = ()> {
 /// Faces in which the tree has splits are drawn once for each piece, and each time all their spans are computed: of each the part
 /// that belongs to the piece is drawn.
 ///
-/// Memory: 12 bytes a vertex, lent by the caller; 800 bytes of stack more than [`draw_mesh`](super::draw_mesh).
+/// Memory: 12 bytes a vertex, lent by the caller; 1.1 kB of stack more than [`draw_mesh`](super::draw_mesh).
 ///
 /// # Errors
 /// [`DrawError`].

@@ -6,7 +6,8 @@
 //!
 //! - **Takes** outlines, lines between pixels, circles and rectangles of pixels.
 //! - **Gives** a target runs of [`Alpha`] colours, by [area averaging](super::area).
-//! - **Memory** about 2 KB of the stack: 12 edges or curves, of strokes 32 straight edges, and 128 cells.
+//! - **Memory** four to five kB of the stack, for rectangles eight, 2 kB of it the list (12 edges or curves, of strokes 32
+//!   straight edges) and 128 cells; lend them to [`fill`](super::area::fill) where that is too much.
 
 mod primitives;
 mod rings;
@@ -141,7 +142,7 @@ macro_rules! antialiased {
             type Color = Alpha<C>;
             type Output = ();
 
-            /// By area averaging, with about 2 KB of the stack.
+            /// By area averaging, with four to five kB of the stack.
             fn draw_styled<D: DrawTarget<Color = Alpha<C>>>(
                 &self,
                 style: &AntialiasedStyle<C>,

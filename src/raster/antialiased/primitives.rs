@@ -100,7 +100,7 @@ macro_rules! antialiased {
             type Color = Alpha<C>;
             type Output = ();
 
-            /// By area averaging, with about 2 KB of the stack. Shapes that reach 4,194,304 pixels from the origin are
+            /// By area averaging, with four to seven kB of the stack. Shapes that reach 4,194,304 pixels from the origin are
             /// not drawn.
             fn draw_styled<D: DrawTarget<Color = Alpha<C>>>(
                 &self,

@@ -71,7 +71,7 @@ macro_rules! circles {
             type Color = Alpha<C>;
             type Output = ();
 
-            /// By area averaging, with about 2 KB of the stack. Circles that reach 4,194,304 pixels from the origin are
+            /// By area averaging, with four to five kB of the stack. Circles that reach 4,194,304 pixels from the origin are
             /// not drawn.
             fn draw_styled<D: DrawTarget<Color = Alpha<C>>>(
                 &self,
@@ -92,7 +92,7 @@ impl<C: PixelColor> StyledDrawable<AntialiasedStyle<C>> for Rectangle {
     type Color = Alpha<C>;
     type Output = ();
 
-    /// By area averaging, with about 2 KB of the stack. Rectangles that reach 4,194,304 pixels from the origin are
+    /// By area averaging, with eight kB of the stack. Rectangles that reach 4,194,304 pixels from the origin are
     /// not drawn.
     fn draw_styled<D: DrawTarget<Color = Alpha<C>>>(
         &self,

@@ -4,7 +4,7 @@
 //! - **Gives** an outline again: closed pieces, all of them clockwise on the screen. Filled by the
 //!   [non-zero rule](crate::Rule::NonZero) they are one shape, of which no pixel is drawn twice.
 //! - **Memory** the first and the last segment of a contour, some 90 bytes.
-//! - **Cost** of a trace: for each segment one integer square root and one division, for each mitered corner that
+//! - **Cost** of a trace: for each segment near the [heights](Pen::heights) that are wanted one integer square root and one division, for each mitered corner that
 //!   can be seen two divisions, for each step of a round one four multiplications. Four edges a segment, three a
 //!   bevel.
 //!

@@ -24,7 +24,7 @@ impl<O: Outline> Stroked<O> {
     /// Emits the spans of one piece after the other, inside the bounds of `sink`: for ink that covers.
     ///
     /// The pixels are those of [`spans`](Self::spans), but around corners some come more than once, and rows come
-    /// from top to bottom only within a piece. One trace, one fill of a few edges for each piece. 350 bytes of the stack.
+    /// from top to bottom only within a piece. One trace, one fill of a few edges for each piece. 2.2 kB of the stack.
     ///
     /// # Errors
     /// What the sink says.

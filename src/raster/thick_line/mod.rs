@@ -18,7 +18,7 @@
 //! - **Exact** for all coordinates while width × length is less than 2²⁸ square pixels (400 × 600,000); beyond, the
 //!   borders are right to 2⁻¹⁸ pixels. The same pixels from both ends.
 //! - **Cost** one 64-bit square root, 3 divisions a border; then additions, one span for each visible row.
-//! - **Memory** some 300 bytes of the stack.
+//! - **Memory** 1.4 kB of the stack.
 
 mod border;
 mod end;
