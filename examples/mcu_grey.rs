@@ -14,7 +14,7 @@ mod scene;
 mod board;
 
 #[cfg(target_os = "none")]
-use features::{Changes, Feature, Floods, Lines, Memory, Photo, Polygons, Scanline, Shadow, Shown, Solid, Texts, tour};
+use features::{Changes, Feature, Floods, Lines, Memory, Photo, Polygons, Scanline, Shadow, Solid, Texts};
 
 #[cfg(target_os = "none")]
 #[cortex_m_rt::entry]
@@ -24,21 +24,12 @@ fn main() -> ! {
     static mut SOFT: Texts = Texts::NEW;
     static mut SOLID: (Solid, Scanline) = features::SOLID;
     static mut SHADOW: Shadow = Shadow::NEW;
-    use board::{look, report, semihosting, ssd0323, stack};
+    use board::{ssd0323, stack};
 
     stack::paint();
     ssd0323::init();
-    let mut counted = 0;
-    let mut look = |number, bytes: &[u8]| {
-        look(number, bytes);
-        let sent = ssd0323::bytes_sent();
-        report("bus", sent - counted);
-        counted = sent;
-    };
     let memory = Memory { flat: FLAT, soft: SOFT, solid: SOLID };
-    let is_done = tour(memory, Shown::new(&mut Oled, SHADOW, &mut look)).is_some();
-    report("stack", stack::high_water());
-    semihosting::exit(u8::from(!is_done))
+    features::run(memory, SHADOW, &mut Oled, ssd0323::bytes_sent)
 }
 
 /// The panel of the board.

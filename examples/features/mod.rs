@@ -104,6 +104,24 @@ pub fn tour<S: Screen, L: FnMut(u32, &[u8])>(memory: Memory<'_>, mut shown: Show
     Some(())
 }
 
+/// Shows them on the panel of a board and reports what that took; `sent` says how many bytes went to the panel so far.
+#[cfg(target_os = "none")]
+#[expect(clippy::inline_always, reason = "as the tour")]
+#[inline(always)]
+pub fn run(memory: Memory<'_>, shadow: &mut Shadow, screen: &mut impl Screen, sent: impl Fn() -> u32) -> ! {
+    use crate::board::{look, report, semihosting, stack};
+
+    let mut counted = 0;
+    let mut look = |number, bytes: &[u8]| {
+        look(number, bytes);
+        report("bus", sent() - counted);
+        counted = sent();
+    };
+    let is_done = tour(memory, Shown::new(screen, shadow, &mut look)).is_some();
+    report("stack", stack::high_water());
+    semihosting::exit(u8::from(!is_done))
+}
+
 fn is_shown(part: &str) -> bool {
     option_env!("PART").or(PART).is_none_or(|wanted| wanted == part)
 }

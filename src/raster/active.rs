@@ -133,22 +133,25 @@ impl<'l, E: RowEdge> ActiveList<'l, E> {
     }
 }
 
-/// Insertion sort: between rows almost nothing changes its place, and the code is small.
+/// Insertion sort: between rows almost nothing changes its place, and the code is small. Each edge is copied once and never
+/// swapped: some are large.
 #[inline]
-pub(super) fn sort_by_key<E, K: PartialOrd>(edges: &mut [E], key: impl Fn(&E) -> K) {
+pub(super) fn sort_by_key<E: Copy, K: PartialOrd>(edges: &mut [E], key: impl Fn(&E) -> K) {
     if edges.is_sorted_by_key(&key) {
         return;
     }
     for end in 2..=edges.len() {
-        let Some(mut sorted) = edges.get_mut(..end) else { return };
-        while let [rest @ .., left, right] = sorted {
-            if key(left) <= key(right) {
-                break;
-            }
-            core::mem::swap(left, right);
-            let next = rest.len() + 1;
-            let Some(shorter) = sorted.get_mut(..next) else { return };
-            sorted = shorter;
+        let Some([sorted @ .., last]) = edges.get_mut(..end) else { return };
+        let mut free = last;
+        let moved = key(free);
+        if sorted.last().is_none_or(|edge| key(edge) <= moved) {
+            continue;
         }
+        let edge = *free;
+        for left in sorted.iter_mut().rev().take_while(|left| key(left) > moved) {
+            *free = *left;
+            free = left;
+        }
+        *free = edge;
     }
 }

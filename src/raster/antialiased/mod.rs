@@ -7,7 +7,7 @@
 //! - **Takes** outlines, lines between pixels, circles and rectangles of pixels.
 //! - **Gives** a target runs of [`Alpha`] colours, by [area averaging](super::area).
 //! - **Memory** four to five kB of the stack, for rectangles eight, 2 kB of it the list (12 edges or curves, of strokes 32
-//!   straight edges) and 128 cells; lend them to [`fill`](super::area::fill) where that is too much.
+//!   straight edges) and 128 cells; lend them to [`fill`] where that is too much.
 
 mod primitives;
 mod rings;

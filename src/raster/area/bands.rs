@@ -3,11 +3,11 @@
 use super::{
     cells::{Cells, height_of},
     edge::{AreaEdge, Curved, PARTS},
-    sort::sort_by_key,
 };
 use crate::{
     coverage::Covered,
     num::{divide_floor, low_i32},
+    raster::active::sort_by_key,
     span::Sink,
     style::Rule,
 };

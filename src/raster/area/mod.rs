@@ -47,7 +47,6 @@ mod edge;
 mod mask;
 mod oversample;
 mod plain;
-mod sort;
 mod strips;
 mod task;
 mod union;

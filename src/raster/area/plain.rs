@@ -8,8 +8,8 @@
 use super::{
     cells::{Cells, Side, height_of},
     edge::{AreaEdge, Curved, PARTS},
-    sort::sort_by_key,
 };
+use crate::raster::active::sort_by_key;
 
 /// Adds all edges of a row, which are sorted from left to right then. Whether that is the coverage of the row.
 pub(super) fn add_plain<C: Curved>(edges: &mut [AreaEdge<C>], cells: &mut Cells, row: i32) -> bool {

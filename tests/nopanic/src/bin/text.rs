@@ -3,11 +3,11 @@
 #![no_main]
 
 use aquatint::{
-    AntialiasedStyle, Blended, FillStyle, Frame, GlyphId, Hershey, Outline, Pen, Point2, Rows, StrokeStyle, Text,
+    AntialiasedStyle, Blended, FillStyle, Frame, GlyphId, Hershey, Outline, Rows, StrokeStyle, Text,
     Typeface,
 };
 use embedded_graphics::{pixelcolor::Gray4, prelude::*, text::Alignment, transform::Transform};
-use nopanic::{any, keep, lent, one_of, part, side, text};
+use nopanic::{any, keep, lent, one_of, part, shapes::Kept, side, text};
 
 /// What a caller lends.
 struct Memory {
@@ -29,22 +29,6 @@ nopanic::entries! { MEMORY;
     text_stroked,
     text_antialiased,
     styled_bounding_boxes,
-}
-
-struct Kept;
-
-impl Pen for Kept {
-    fn move_to(&mut self, point: Point2) {
-        keep(point);
-    }
-
-    fn line_to(&mut self, point: Point2) {
-        keep(point);
-    }
-
-    fn close(&mut self) {
-        keep(());
-    }
 }
 
 fn face<'a>(glyphs: &'a mut [&'static str; 4]) -> Hershey<'a> {
