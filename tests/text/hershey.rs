@@ -1,9 +1,10 @@
 //! The stroke fonts.
 
 use aquatint::{
-    Cap, GlyphBox, GlyphId, Hershey, Join, Outline, Pen, Point2, Rect, Stroke, Subpixel, Text, Typeface, pixel_bounds,
+    AntialiasedStyle, Blended, Cap, Frame, GlyphBox, GlyphId, Hershey, Join, Outline, Pen, Point2, Rect, Rows, Stroke,
+    Subpixel, Text, Typeface, pixel_bounds,
 };
-use embedded_graphics::prelude::*;
+use embedded_graphics::{pixelcolor::Gray4, prelude::*};
 
 use super::{FILL, LINE, assert_drawn, dark, rows};
 
@@ -19,6 +20,20 @@ fn small_letters_of_one_line_a_stroke() {
     assert_drawn(SMALL, |frame| {
         let Ok(()) = text("Hershey, 1967", 16, (1, 13)).into_styled(LINE).draw(frame);
     });
+}
+
+/// Its letters are lines: there is nothing inside of them that could be filled, even where a line comes back to itself.
+#[test]
+fn soft_letters_have_a_stroke_and_no_inside() {
+    let drawn = |style: AntialiasedStyle<Gray4>| {
+        let mut frame = Frame::<Gray4, Rows, _>::with_array([0; 32 * 20 / 2], 32, 20).expect("room");
+        let Ok(()) = text("Oo", 16, (1, 14)).into_styled(style).draw(&mut Blended::new(&mut frame));
+        frame.bytes().to_vec()
+    };
+    assert_eq!(drawn(AntialiasedStyle::fill(Gray4::WHITE)), [0; 320]);
+    let stroked = drawn(AntialiasedStyle::stroke(Gray4::WHITE, 1));
+    assert_ne!(stroked, [0; 320]);
+    assert_eq!(drawn(AntialiasedStyle::fill(Gray4::WHITE).with_stroke(Gray4::WHITE, 1)), stroked);
 }
 
 #[test]
