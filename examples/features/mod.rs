@@ -106,7 +106,6 @@ pub fn tour<S: Screen, L: FnMut(u32, &[u8])>(memory: Memory<'_>, mut shown: Show
 
 /// Shows them on the panel of a board and reports what that took; `sent` says how many bytes went to the panel so far.
 #[cfg(target_os = "none")]
-#[expect(clippy::inline_always, reason = "as the tour")]
 #[inline(always)]
 pub fn run(memory: Memory<'_>, shadow: &mut Shadow, screen: &mut impl Screen, sent: impl Fn() -> u32) -> ! {
     use crate::board::{look, report, semihosting, stack};
